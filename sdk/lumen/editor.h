@@ -1,0 +1,80 @@
+/// Editors: a Dear ImGui panel over properties. The SDK's library holds the one ImGui context that all share.
+#pragma once
+
+#include <optional>
+
+#include <lumen/plugin.h>
+
+namespace lumen {
+
+/// A property as a panel sees it.
+struct PropertyState {
+  PropertySpec spec;
+  Value value;                   ///< through links
+  bool set = false;
+  std::string link;              ///< "instance.property" or empty
+  std::string expression;        ///< of a link; empty = identity
+  std::string error;             ///< why a link or value does not hold; empty = well
+  std::string no_effect;         ///< why it has no effect now; empty = it has
+  std::string data_state;        ///< data: "ready", "pending", or why it failed
+};
+
+struct InstanceState {
+  std::string id, type;
+  Kind kind = Kind::view;
+  bool known = true;             ///< false: its plugin is not there; kept as it is
+  bool enabled = true;
+  int generation = 0;            ///< which build of its library it runs
+  std::string badge;             ///< "building", "loaded", "kept 4" or empty
+  std::string summary;           ///< "1,200,000 triangles"
+  std::string doc, source;       ///< of its type
+  std::vector<std::string> orphans;  ///< kept values that nothing declares, as "name: JSON"
+};
+
+struct Problem {
+  Severity severity = Severity::error;
+  std::string instance;          ///< or empty
+  std::string file;              ///< or empty
+  int line = 0, column = 0;      ///< from 1; 0 = none
+  std::string message;
+  bool operator==(const Problem&) const = default;
+};
+
+/// The open session, for panels. All changes can be undone. Thread: main.
+class Workbench {
+ public:
+  virtual ~Workbench() = default;
+  virtual std::vector<InstanceState> instances() const = 0;            ///< session order; views first
+  virtual std::vector<PropertyState> properties(const std::string& instance) const = 0;
+  virtual std::optional<PropertyState> property(const std::string& path) const = 0;  ///< "instance.property"
+
+  /// Sets a value. Calls with the same property between begin_edit and end_edit are one undo step.
+  virtual void set(const std::string& path, Value value) = 0;
+  virtual void reset(const std::string& path) = 0;
+  virtual void begin_edit() = 0;
+  virtual void end_edit() = 0;
+  virtual void cancel_edit() = 0;                                      ///< back to the values at begin_edit
+  virtual void link(const std::string& path, const std::string& source, const std::string& expression) = 0;  ///< throws Error
+  virtual void unlink(const std::string& path) = 0;
+  virtual std::vector<std::string> linkable(const std::string& path) const = 0;  ///< sources that convert and do not cycle
+  virtual std::string to_json(const Value& value) const = 0;
+  virtual Value from_json(const std::string& path, const std::string& json) const = 0;  ///< throws Error
+
+  virtual std::string selection() const = 0;                           ///< an instance's id or empty
+  virtual void select(const std::string& instance) = 0;
+  virtual std::vector<Problem> problems() const = 0;
+  virtual void open_source(const std::string& file, int line) = 0;     ///< in $VISUAL
+  virtual float scale() const = 0;                                     ///< pixels per UI unit
+  virtual bool reduced_motion() const = 0;
+};
+
+class Editor : public Plugin {
+ public:
+  using Plugin::Plugin;
+  Kind kind() const override { return Kind::editor; }
+  virtual std::string title() const = 0;
+  /// Fills the panel's window, which is already begun.
+  virtual void draw(Workbench& workbench) = 0;
+};
+
+}  // namespace lumen

@@ -1,0 +1,83 @@
+/// What a plugin sees of a frame while it draws.
+#pragma once
+
+#include <span>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include <glm/vec2.hpp>
+
+#include <lumen/camera.h>
+#include <lumen/gl/texture.h>
+#include <lumen/layers.h>
+#include <lumen/part.h>
+
+namespace lumen {
+
+/// How fragments meet what is in a target.
+enum class Blend { replace, add, multiply_by_one_minus_source, over };
+
+/// Where a pass writes one of its results.
+struct Target {
+  const gl::Texture* texture = nullptr;
+  const char* name = "result";   ///< the shader's name for it
+  Blend blend = Blend::replace;
+};
+
+/// One full-screen pass; use designated initializers.
+struct FullscreenPass {
+  const char* function = "render";   ///< vec4 FUNCTION(Properties p, Pixel pixel) of the file
+  const gl::Texture* target = nullptr;  ///< default: the first layer that the plugin writes
+  std::vector<std::pair<const char*, const gl::Texture*>> inputs = {};  ///< NAME_at(uv) in the shader, nearest; NAME as a sampler
+  bool covered_only = false;         ///< only where the opaque scene covers the pixel; elsewhere the target is 0
+};
+
+/// One view being drawn. Valid during the call that it is given to; the GL context is current.
+class Frame {
+ public:
+  virtual ~Frame() = default;
+  virtual glm::ivec2 size() const = 0;       ///< pixels of the layers, border included
+  virtual int border() const = 0;            ///< pixels around the viewport
+  virtual const Camera& camera() const = 0;
+  virtual float scene_radius() const = 0;    ///< world, of the bounding sphere
+  virtual glm::vec2 extent() const = 0;      ///< near and far of the bounding sphere along the view axis, world, eye distance
+  virtual double time() const = 0;           ///< seconds
+
+  virtual const gl::Texture& layer(const Reads& reads) const = 0;
+  virtual const gl::Texture& layer(const Writes& writes) const = 0;
+  /// A texture of the caller's own, kept from frame to frame while format and size stay.
+  virtual const gl::Texture& scratch(std::string_view name, Format format, glm::ivec2 size) = 0;
+
+  /// Draws the shader ("occlusion/ssao.glsl", found as plugins' files are) over the target.
+  virtual void fullscreen(std::string_view shader, const FullscreenPass& pass = {}) = 0;
+
+  /// Which refinement this is, 0..; and that another one is wanted while idle.
+  virtual int iteration() const = 0;
+  virtual void unfinished() = 0;
+};
+
+/// The transparent part of a frame: on top of Frame, it draws all transparent surfaces.
+class TransparencyFrame : public Frame {
+ public:
+  /// Draws every transparent surface once. The shader's void FUNCTION(Properties p, Fragment fragment) gets each lit
+  /// fragment in front of the opaque scene and writes the targets by name. Targets are cleared to `clear` first.
+  virtual void surfaces(std::string_view shader, const char* function, std::span<const Target> targets, std::span<const glm::vec4> clear) = 0;
+};
+
+/// What a renderer draws into: the host decides which pass it is and what comes of the fragments.
+class Draw {
+ public:
+  virtual ~Draw() = default;
+  virtual const Camera& camera() const = 0;
+  virtual const glm::mat4& world_to_clip() const = 0;
+  virtual glm::ivec2 size() const = 0;
+  /// Only pixels of opaque, unsplit surfaces are wanted: what faces away, or lies behind, need not be drawn.
+  virtual bool front_suffices() const = 0;
+  /// The parts to draw, one by one; one untouched part if there is no splitter.
+  virtual std::span<const Part> parts() const = 0;
+  /// Makes the shader's program current for part `index`, with the instance's properties. Textures from `inputs` are bound.
+  virtual void use(std::string_view shader, int part, std::span<const std::pair<const char*, const gl::Texture*>> inputs = {}) = 0;
+};
+
+}  // namespace lumen

@@ -1,0 +1,54 @@
+/// Layers: named per-pixel results that instances write and read.
+///
+/// Declared as members, so that the host knows before drawing who needs what: it orders the passes, allocates only what
+/// somebody reads, and runs a pass again only when something that it declared has changed.
+///
+/// The layers of every view (all of the opaque scene, except the last two):
+///   depth     eye-space distance along the view axis, world units, background +inf   1 channel
+///   normal    view space, facing the eye, unit; background 0                         3
+///   position  view space, world units                                                3
+///   albedo    linear diffuse color                                                   3
+///   ambient, diffuse, specular   radiance                                            3
+///   occlusion 1 - visibility                                                         1
+///   id        R instance (1.. in session order), G part, B primitive; 0 = background 3
+///   color     lit opaque scene, associated alpha = coverage                          4
+///   transparent  associated color over the opaque scene                              4
+///   opacity   1 - prod(1 - a) of the transparent surfaces                            1
+#pragma once
+
+#include <string>
+
+namespace lumen {
+
+class Plugin;
+
+enum class Format { R8, RG8, RGBA8, R16F, RG16F, RGBA16F, R32F, RG32F, RGBA32F, R32UI, RG32UI, RGBA32UI, depth32F };
+
+int channels_of(Format format);
+
+/// The layer is there, complete, when the owner draws; shaders read it with NAME_at(uv).
+class Reads {
+ public:
+  /// `border`: pixels beyond the viewport that the owner looks at.
+  Reads(Plugin* owner, std::string layer, int border = 0);
+  const std::string& layer() const { return layer_; }
+  int border() const { return border_; }
+
+ private:
+  std::string layer_;
+  int border_;
+};
+
+/// The owner produces the layer; the host allocates it, viewport + the largest declared border.
+class Writes {
+ public:
+  Writes(Plugin* owner, std::string layer, Format format);
+  const std::string& layer() const { return layer_; }
+  Format format() const { return format_; }
+
+ private:
+  std::string layer_;
+  Format format_;
+};
+
+}  // namespace lumen
