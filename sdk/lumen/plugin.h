@@ -115,11 +115,12 @@ struct PluginTable {
 extern "C" {
 [[gnu::visibility("hidden"), gnu::weak]] extern const lumen::PluginType __start_lumen_types[];
 [[gnu::visibility("hidden"), gnu::weak]] extern const lumen::PluginType __stop_lumen_types[];
-[[gnu::visibility("default"), gnu::used]] inline extern const lumen::PluginTable lumen_plugins = {
-    LUMEN_ABI, __start_lumen_types, __stop_lumen_types};
+/// Emitted only where LUMEN_PLUGIN names it.
+[[gnu::visibility("default")]] inline extern const lumen::PluginTable lumen_plugins = {LUMEN_ABI, __start_lumen_types, __stop_lumen_types};
 }
 
 /// Registers TYPE under ID, with a sentence on what it is and its paper: once per type, at file scope.
-#define LUMEN_PLUGIN(TYPE, ID, DOC)                                                                    \
-  [[gnu::used, gnu::retain, gnu::section("lumen_types")]] static const ::lumen::PluginType             \
-      lumen_type_##TYPE = {ID, [](::lumen::Binding& binding) -> ::lumen::Plugin* { return new TYPE(binding); }, DOC, __FILE__};
+#define LUMEN_PLUGIN(TYPE, ID, DOC)                                                                                \
+  [[gnu::used]] static const ::lumen::PluginTable* const lumen_table_##TYPE = &lumen_plugins;                      \
+  [[gnu::used, gnu::section("lumen_types")]] static const ::lumen::PluginType lumen_type_##TYPE = {                \
+      ID, [](::lumen::Binding& binding) -> ::lumen::Plugin* { return new TYPE(binding); }, DOC, __FILE__};
