@@ -39,6 +39,7 @@ void DescriptorWatch::run(int descriptor, const std::function<void()>& wake) {
       std::uint64_t count = 0;
       [[maybe_unused]] const auto got = read(nudge_, &count, sizeof count);
     }
+    if (watched[1].revents & (POLLERR | POLLHUP | POLLNVAL)) descriptor = -1;
     if (!stop_ && !ready_ && (watched[1].revents & POLLIN)) {
       ready_ = true;
       wake();
