@@ -4,7 +4,7 @@
 
 namespace lumenshop {
 
-Offscreen::Offscreen(const Options& options) {
+Offscreen::Offscreen(const Options& options) : view_id_(options.view), size_(options.size) {
   workshop_ = std::make_unique<Workshop>(Workshop::Options{.plugin_folders = options.plugin_folders});
   if (!options.warm_worker.empty()) workshop_->helper().warm_up(options.warm_worker);
   workshop_->open(options.files);
@@ -19,9 +19,13 @@ Offscreen::Offscreen(const Options& options) {
   session.update();
   workshop_->scheduler().update();  // files are read on worker threads while the driver starts
   context_.emplace();
-  view_ = &workshop_->view(options.view);
-  view_->resize(options.size);
+  reopen();
   workshop_->scheduler().wait();
+}
+
+void Offscreen::reopen() {
+  view_ = &workshop_->view(view_id_);
+  view_->resize(size_);
 }
 
 Offscreen::~Offscreen() {

@@ -32,6 +32,8 @@ class Offscreen {
 
   Workshop& workshop() { return *workshop_; }
   ViewRenderer& view() { return *view_; }
+  /// Draws the session anew after it was loaded again and the views were closed.
+  void reopen();
   /// Brings links and data up to date, and draws all refinements.
   void finish();
   Findings& findings() { return findings_; }
@@ -41,6 +43,8 @@ class Offscreen {
  private:
   std::optional<HeadlessContext> context_;  // declared first: plugins free their GL objects when the workshop goes
   std::unique_ptr<Workshop> workshop_;
+  std::string view_id_;
+  glm::ivec2 size_;
   ViewRenderer* view_ = nullptr;
   Findings findings_;
 };
