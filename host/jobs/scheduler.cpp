@@ -1,0 +1,96 @@
+/// Updates between frames, waiting, and exports.
+#include "jobs/scheduler.h"
+
+#include <lumen/exporter.h>
+
+#include "jobs/scheduler_state.h"
+
+namespace lumenshop {
+
+namespace {
+
+/// An exporter's write(), to its end, on this thread.
+void write(Instance& exporter, Snapshot snapshot, Helper* helper, const std::function<bool(float)>& progress) {
+  const auto* code = exporter.as<lumen::Exporter>(lumen::Kind::exporter);
+  if (!code) throw lumen::Error(exporter.id(), exporter.type() + " is no exporter");
+  const std::shared_ptr<lumen::Plugin> keeps_alive = exporter.share();
+  FrozenJob job(std::move(snapshot), helper, [&](float fraction) { return !progress || progress(fraction); });
+  const Outcome outcome = Outcome::of([&] { code->write(job); });
+  for (const auto& report : job.reports()) exporter.report(report.severity, report.message);
+  if (outcome.state == Outcome::State::failed) throw lumen::Error(outcome.message);
+  if (outcome.state == Outcome::State::cancelled) throw lumen::Error(exporter.id(), "cancelled; nothing was written");
+}
+
+}  // namespace
+
+Scheduler::Scheduler(Session& session, Helper* helper, std::function<void()> wake)
+    : state_(std::make_unique<State>(session, helper, std::move(wake))) {}
+
+Scheduler::~Scheduler() {
+  for (auto& [object, record] : state_->records)
+    if (record.run) record.run->cancel();
+}
+
+bool Scheduler::update() {
+  bool changed = false;
+  for (const std::shared_ptr<Run>& run : state_->pool.take_finished()) changed |= state_->adopt(run);
+  for (const auto& [object, record] : state_->records)
+    if (record.run && !state_->find(record.run->object())) record.run->cancel();
+  for (const auto& instance : state_->session.plugins()) state_->consider(*instance);
+  std::erase_if(state_->records, [](const auto& entry) { return entry.first.expired(); });
+  return changed;
+}
+
+void Scheduler::wait() {
+  for (update(); state_->any_running(); update()) state_->pool.wait_for_finished();
+}
+
+std::vector<JobStatus> Scheduler::running() const {
+  std::vector<JobStatus> result;
+  for (const auto& [object, record] : state_->records) {
+    if (!record.run) continue;
+    const Instance* instance = state_->find(record.run->object());
+    result.push_back({instance ? instance->id() : record.run->job().snapshot().instance, record.run->title(), record.run->fraction(), record.run->seconds()});
+  }
+  return result;
+}
+
+void Scheduler::cancel(const std::string& instance) {
+  const Instance* found = state_->session.find(instance);
+  const auto record = found ? state_->records.find(found->share()) : state_->records.end();
+  if (record == state_->records.end() || !record->second.run) return;
+  record->second.stopped = true;
+  record->second.run->cancel();
+}
+
+void Scheduler::run_export(Instance& exporter, const std::function<bool(float)>& progress) {
+  Inputs inputs;
+  for (;;) {
+    update();
+    inputs = state_->inputs_of(exporter);
+    if (inputs.state != Inputs::State::busy || !state_->any_running()) break;
+    state_->pool.wait_for_finished();
+  }
+  if (inputs.state != Inputs::State::ready) throw lumen::Error(exporter.id(), inputs.why.empty() ? "its input is not ready" : inputs.why);
+  exporter.clear_reports();
+  write(exporter, Snapshot::of(exporter), state_->helper, progress);
+}
+
+void Scheduler::write_file(Instance& exporter, lumen::DataPointer data, const std::filesystem::path& file) {
+  if (!data) throw lumen::Error(file.string(), "there is no data to write");
+  Snapshot snapshot = Snapshot::of(exporter);
+  bool taken = false;
+  for (Snapshot::Entry& entry : snapshot.slots) {
+    if (std::holds_alternative<lumen::DataPointer>(entry.value)) {
+      const bool takes = !taken && !entry.output && entry.data_kind == data->kind();
+      entry.value = takes ? data : nullptr;
+      taken |= takes;
+    } else if (entry.property == "path") {
+      entry.value = lumen::Path{file.string()};
+    }
+  }
+  if (!taken) throw lumen::Error(file.string(), exporter.type() + " writes no " + std::string(name_of(data->kind())));
+  write(exporter, std::move(snapshot), state_->helper, {});
+}
+
+}  // namespace lumenshop
