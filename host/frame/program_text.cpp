@@ -41,9 +41,7 @@ std::string prefix_of(std::string_view file) {
   return prefix + "_";
 }
 
-std::string fullscreen_vertex_text() {
-  return "#version 450 core\n"
-         "void main() { gl_Position = vec4(vec2(gl_VertexID & 1, gl_VertexID >> 1) * 4.0 - 1.0, 1.0, 1.0); }\n";
-}
+const char* const fullscreen_triangle =
+    "void main() { gl_Position = vec4(vec2(gl_VertexID & 1, gl_VertexID >> 1) * 4.0 - 1.0, 1.0, 1.0); }\n";
 
 }  // namespace lumenshop

@@ -10,9 +10,6 @@
 
 namespace lumenshop {
 
-/// The #line numbers of a program: number i + 1 is files[i].
-using FileNumbers = std::vector<std::string>;
-
 class ProgramText {
  public:
   ProgramText(ShaderLibrary& library, GlslFile::Stage stage, FileNumbers& numbers);
@@ -36,7 +33,7 @@ class ProgramText {
 /// "diffuse/lambert.glsl" -> "diffuse_lambert_".
 std::string prefix_of(std::string_view file);
 
-/// A triangle over the whole target at the far plane, for full-screen passes.
-std::string fullscreen_vertex_text();
+/// A vertex stage that makes a triangle over the whole target at the far plane, for full-screen passes.
+extern const char* const fullscreen_triangle;
 
 }  // namespace lumenshop

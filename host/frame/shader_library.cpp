@@ -6,6 +6,9 @@
 
 #include <lumen/error.h>
 
+#include "frame/hash.h"
+#include "frame/program_text.h"
+
 namespace lumenshop {
 namespace fs = std::filesystem;
 
@@ -45,42 +48,51 @@ std::uint64_t ShaderLibrary::revision(const std::string& name) {
   return found == files_.end() ? 0 : found->second.revision + lib_changes_;
 }
 
-std::shared_ptr<Program> ShaderLibrary::program(const std::string& slot, const std::string& vertex, const std::string& fragment,
-                                                const std::vector<std::string>& files) {
+Program* ShaderLibrary::program(const std::string& slot, std::uint64_t signature,
+                                const std::function<void(ProgramText&, ProgramText&)>& assemble) {
   Slot& at = slots_[slot];
-  const std::string text = vertex + '\0' + fragment;
-  std::weak_ptr<Program>& known = programs_[text];
-  if (auto program = known.lock()) {
-    at.problems.clear();
-    return at.good = std::move(program);
-  }
-  auto program = std::make_shared<Program>(vertex, fragment);
-  if (program->ok()) {
-    known = program;
-    at.problems.clear();
-    return at.good = std::move(program);
-  }
-  programs_.erase(text);
+  const std::uint64_t wanted = Hash().add(signature).add(changes_).value();
+  if (at.signature == wanted) return at.good.get();
+  at.signature = wanted;
   at.problems.clear();
-  for (const CompilerMessage& message : program->messages()) {
-    lumen::Problem problem{.severity = lumen::Severity::error, .line = message.line, .column = message.column, .message = message.text};
-    if (message.file > 0 && std::size_t(message.file) <= files.size()) {
-      const std::string& name = files[std::size_t(message.file) - 1];
-      const fs::path path = find(name);
-      problem.file = path.empty() ? name : path.string();
+  FileNumbers numbers;
+  try {
+    ProgramText vertex(*this, GlslFile::Stage::vertex, numbers), fragment(*this, GlslFile::Stage::fragment, numbers);
+    assemble(vertex, fragment);
+    const std::string text = vertex.text() + '\0' + fragment.text();
+    std::weak_ptr<Program>& known = programs_[text];
+    auto program = known.lock();
+    if (!program) known = program = std::make_shared<Program>(vertex.text(), fragment.text());
+    if (program->ok()) {
+      at.good = std::move(program);
     } else {
-      problem.message = slot + ": " + message.text;
-      problem.line = problem.column = 0;
+      for (const CompilerMessage& message : program->messages()) {
+        lumen::Problem problem = located(slot, message, numbers);
+        if (std::find(at.problems.begin(), at.problems.end(), problem) == at.problems.end()) at.problems.push_back(std::move(problem));
+      }
     }
-    if (std::find(at.problems.begin(), at.problems.end(), problem) == at.problems.end()) at.problems.push_back(std::move(problem));
+  } catch (const lumen::Error& error) {
+    lumen::Problem problem;
+    problem.message = error.what();
+    at.problems.push_back(std::move(problem));
   }
-  return at.good;
+  std::erase_if(programs_, [](const auto& entry) { return entry.second.expired(); });
+  return at.good.get();
 }
 
-std::shared_ptr<Program> ShaderLibrary::last_good(const std::string& slot, const lumen::Problem& reason) {
-  Slot& at = slots_[slot];
-  at.problems = {reason};
-  return at.good;
+lumen::Problem ShaderLibrary::located(const std::string& slot, const CompilerMessage& message, const FileNumbers& files) const {
+  lumen::Problem problem;
+  problem.message = message.text;
+  if (message.file > 0 && std::size_t(message.file) <= files.size()) {
+    const std::string& name = files[std::size_t(message.file) - 1];
+    const fs::path path = find(name);
+    problem.file = path.empty() ? name : path.string();
+    problem.line = message.line;
+    problem.column = message.column;
+  } else {
+    problem.message = slot + ": " + message.text;
+  }
+  return problem;
 }
 
 void ShaderLibrary::changed(const std::vector<fs::path>& files) {

@@ -5,6 +5,7 @@
 #pragma once
 
 #include <filesystem>
+#include <functional>
 #include <map>
 #include <memory>
 #include <string>
@@ -16,6 +17,11 @@
 #include "frame/program.h"
 
 namespace lumenshop {
+
+class ProgramText;
+
+/// The #line numbers of a program: number i + 1 is files[i].
+using FileNumbers = std::vector<std::string>;
 
 class ShaderLibrary {
  public:
@@ -30,12 +36,9 @@ class ShaderLibrary {
   /// Grows with every change of any file.
   std::uint64_t revision() const { return changes_; }
 
-  /// The program of these texts. `slot` names its use ("lighting main"); `files` are the #line numbers' names.
-  /// If it fails: the last good one of the slot, or null if there was none.
-  std::shared_ptr<Program> program(const std::string& slot, const std::string& vertex, const std::string& fragment,
-                                   const std::vector<std::string>& files);
-  /// The file could not even be assembled: the slot's last good program, and the reason as a problem.
-  std::shared_ptr<Program> last_good(const std::string& slot, const lumen::Problem& reason);
+  /// The program for a use ("wall geometry"). `assemble` writes its texts when `signature` or any file has changed.
+  /// If it fails: the slot's last good program and a problem; null if there was none.
+  Program* program(const std::string& slot, std::uint64_t signature, const std::function<void(ProgramText& vertex, ProgramText& fragment)>& assemble);
 
   /// Reads these files again when next asked for.
   void changed(const std::vector<std::filesystem::path>& files);
@@ -48,9 +51,11 @@ class ShaderLibrary {
     std::uint64_t revision = 1;
   };
   struct Slot {
+    std::uint64_t signature = 0;
     std::shared_ptr<Program> good;
     std::vector<lumen::Problem> problems;
   };
+  lumen::Problem located(const std::string& slot, const CompilerMessage& message, const FileNumbers& files) const;
   std::vector<std::filesystem::path> folders_;
   std::map<std::string, Entry> files_;
   std::map<std::string, std::weak_ptr<Program>> programs_;  ///< by full text

@@ -6,6 +6,8 @@
 
 #include <glm/gtc/type_ptr.hpp>
 
+#include "frame/hash.h"
+
 namespace lumenshop {
 namespace {
 
@@ -130,6 +132,21 @@ int ValueTable::row_of(const Instance& instance) const {
 void ValueTable::bind(Program& program) const {
   glBindBufferBase(GL_SHADER_STORAGE_BUFFER, 0, values_.name());
   program.bind("lumen_transfer_functions", transfer_functions_.name());
+}
+
+std::uint64_t properties_signature(const Instance& instance) {
+  Hash hash;
+  const auto& slots = instance.slots();
+  for (int i = 0; i < int(slots.size()); ++i) {
+    const Slot& slot = *slots[std::size_t(i)];
+    if (slot.retracted || rows_for(slot.spec.type) == 0) continue;
+    hash.add(slot.spec.id).add(slot.spec.type);
+    if (!slot.spec.options.constant) continue;
+    std::vector<glm::vec4> constant;
+    append(slot.spec, instance.read(i), constant);
+    for (const glm::vec4& row : constant) hash.add(row);
+  }
+  return hash.value();
 }
 
 std::string properties_text(const Instance& instance, const std::string& prefix) {

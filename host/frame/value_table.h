@@ -32,6 +32,8 @@ class ValueTable {
 
 /// GLSL of `struct <prefix>Properties` and `<prefix>Properties <prefix>load(int row)` for an instance. Equal for
 /// instances of one type, unless they have properties of their own or different constants.
+/// Differs where properties_text differs.
+std::uint64_t properties_signature(const Instance& instance);
 std::string properties_text(const Instance& instance, const std::string& prefix);
 
 }  // namespace lumenshop
