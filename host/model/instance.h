@@ -15,25 +15,13 @@
 
 #include "model/json_value.h"
 #include "model/link.h"
+#include "model/property_table.h"
+#include "model/slot.h"
 
 namespace lumenshop {
 
+class PluginFactory;
 class Session;
-
-/// One declared property and what it holds.
-struct Slot {
-  lumen::PropertySpec spec;
-  lumen::Value own;                 ///< set value, or the default
-  bool set = false;
-  bool retracted = false;           ///< a run-time property whose object is gone
-  std::unique_ptr<Link> link;       ///< null = a value of its own
-  Json unresolved;                  ///< JSON that was given but does not fit; saved again as it is; null = none
-  std::string error;                ///< why; shown at the property
-  std::string data_state = "pending";  ///< outputs: "pending", "ready", or why it failed
-
-  mutable lumen::Value effective;   ///< what read() gives
-  mutable std::uint64_t revision = 1;
-};
 
 class Instance final : public lumen::Binding {
  public:
@@ -48,11 +36,11 @@ class Instance final : public lumen::Binding {
   template <class T> T* as(lumen::Kind kind) const { return plugin_ && plugin_->kind() == kind ? static_cast<T*>(plugin_.get()) : nullptr; }
   bool enabled() const;
   int generation() const { return generation_; }
-  int number() const;                            ///< 1.. in session order (layer id); views 0
+  int number() const { return number_; }         ///< 1.. in session order (layer id); views 0
 
-  const std::vector<std::unique_ptr<Slot>>& slots() const { return slots_; }
-  int slot_of(std::string_view property) const;  ///< -1 if not declared
-  const Json& orphans() const { return orphans_; }  ///< an object: property -> JSON
+  const std::vector<std::unique_ptr<Slot>>& slots() const { return table_->slots(); }  ///< retracted ones, too
+  int slot_of(std::string_view property) const { return table_->slot_of(property); }   ///< -1 if not declared
+  const Json& orphans() const { return table_->kept(); }  ///< an object: property -> JSON
 
   /// Grows when a property that affects drawing (shading) changes its effective value, and when the object is replaced.
   std::uint64_t draw_revision() const;
@@ -60,39 +48,57 @@ class Instance final : public lumen::Binding {
 
   /// Problems that the object reported, or that its values have.
   std::vector<lumen::Problem> problems() const;
-  void clear_reports();
+  void clear_reports() { table_->clear_reports(); }
 
-  // lumen::Binding
+  // lumen::Binding: that of the current object, whose own binding is its table.
   const std::string& id() const override { return id_; }
-  int declare(lumen::PropertySpec spec) override;
-  void retract(int slot) override;
-  const lumen::PropertySpec& spec(int slot) const override;
-  const lumen::Value& read(int slot) const override;
-  void write(int slot, lumen::Value value) override;
-  void write_default(int slot, lumen::Value value) override;
-  bool is_set(int slot) const override;
-  std::uint64_t revision(int slot) const override;
-  void link(int slot, const std::string& source, const std::string& expression) override;
-  void unlink(int slot) override;
-  void observe(const std::string& property, int change) override;
-  void report(lumen::Severity severity, const std::string& message) override;
+  int declare(lumen::PropertySpec spec) override { return table_->declare(std::move(spec)); }
+  void retract(int slot) override { table_->retract(slot); }
+  const lumen::PropertySpec& spec(int slot) const override { return table_->spec(slot); }
+  const lumen::Value& read(int slot) const override { return table_->read(slot); }
+  void write(int slot, lumen::Value value) override { table_->write(slot, std::move(value)); }
+  void write_default(int slot, lumen::Value value) override { table_->write_default(slot, std::move(value)); }
+  bool is_set(int slot) const override { return table_->is_set(slot); }
+  std::uint64_t revision(int slot) const override { return table_->revision(slot); }
+  void link(int slot, const std::string& source, const std::string& expression) override { table_->link(slot, source, expression); }
+  void unlink(int slot) override { table_->unlink(slot); }
+  void observe(const std::string& property, int change) override { table_->observe(property, change); }
+  void report(lumen::Severity severity, const std::string& message) override { table_->report(severity, message); }
 
   /// Adopts a job's result (outputs only).
   void adopt(int slot, lumen::DataPointer data, std::string state);
 
  private:
+  friend class LinkGraph;
+  friend class PropertyTable;
   friend class Session;
   friend class Rebuild;
+
+  /// An object and its table. The object keeps its table alive, whoever holds it.
+  struct Object {
+    std::shared_ptr<PropertyTable> table;
+    std::shared_ptr<lumen::Plugin> plugin;
+    int generation = 0;
+  };
+  /// Builds an object beside the current one. Null plugin if the factory lacks the type. Throws lumen::Error.
+  Object build(PluginFactory& factory, Json kept, PropertyTable* predecessor);
+  /// The current object becomes `object` and the other way round; revisions go on growing.
+  void exchange(Object& object);
+  /// Builds and takes it; a constructor that throws leaves the values as they are and becomes a problem.
+  void create(PluginFactory& factory, Json kept);
+
   Session& session_;
   std::string id_, type_;
+  std::shared_ptr<PropertyTable> table_;
   std::shared_ptr<lumen::Plugin> plugin_;
-  int generation_ = 0;
-  std::vector<std::unique_ptr<Slot>> slots_;
-  std::map<std::string, int, std::less<>> slot_by_id_;
-  Json orphans_ = Json::object();
-  std::map<std::string, int> observed_;
-  std::vector<lumen::Problem> reports_;
+  int generation_ = 0, number_ = 0;
+  bool was_enabled_ = true;                             ///< at the last update
+  std::string failure_;                                 ///< why the object could not be made
+  std::map<std::string, std::string> change_failures_;  ///< property -> what changed() threw
   std::uint64_t replaced_ = 1;
+  struct Revisions { std::uint64_t values = 0, draw = 0, shading = 0; };
+  mutable Revisions revisions_;                         ///< as of the graph's values
+  const Revisions& revisions() const;
 };
 
 }  // namespace lumenshop
