@@ -16,6 +16,7 @@
 
 namespace lumenshop {
 
+class GenerationFolder;
 class Helper;
 
 /// One loaded generation of a library.
@@ -34,9 +35,11 @@ struct TypeInfo {
   int generation = 1;
 };
 
+/// A later folder's type overrides an earlier one's, with a note. Within a folder the first library (by name) keeps it.
 class Registry final : public PluginFactory {
  public:
-  /// `helper` probes new generations; null: no probe (the first start trusts the installation).
+  /// The first folder is the installation's. `helper` probes new generations and what comes from the other folders; null: no
+  /// probe (the first start trusts the installation).
   Registry(std::vector<std::filesystem::path> folders, Helper* helper);
   ~Registry() override;
 
@@ -49,6 +52,7 @@ class Registry final : public PluginFactory {
   /// Loads the file's current contents as a candidate, without letting create() use it. Throws lumen::Error: truncated,
   /// crashed in its probe, wrong handshake ...
   std::unique_ptr<Module> load_candidate(const std::filesystem::path& file);
+  /// The types that the module gives the program: all of its own that no library of more weight has. Sorted as in its table.
   std::vector<std::string> types_of(const Module& module) const;
   /// A factory that makes the candidate's types from it and all others as before.
   std::unique_ptr<PluginFactory> with(const Module& candidate);
@@ -60,11 +64,19 @@ class Registry final : public PluginFactory {
   int generation(const std::string& type) const override;
 
  private:
+  std::unique_ptr<Module> load(const std::filesystem::path& file, bool probe);
+  void install(std::unique_ptr<Module> module);
+  bool takes(const Module& module, const std::string& type) const;
+  std::size_t weight(const std::filesystem::path& file) const;
+  const Module* newest(const std::filesystem::path& file) const;
+  void report(lumen::Severity severity, const std::filesystem::path& file, const std::string& message);
+
   std::vector<std::filesystem::path> folders_;
   Helper* helper_;
-  std::vector<std::unique_ptr<Module>> modules_;   ///< all generations, oldest first; never unmapped
-  std::map<std::string, const Module*> current_;   ///< type id -> module
-  std::vector<lumen::Problem> problems_;
+  std::unique_ptr<GenerationFolder> copies_;
+  std::vector<std::unique_ptr<Module>> modules_;             ///< all generations, oldest first; never unmapped
+  std::map<std::string, const Module*, std::less<>> current_;  ///< type id -> module
+  std::map<std::filesystem::path, std::vector<lumen::Problem>> problems_;  ///< by library, until a generation of it is well
 };
 
 }  // namespace lumenshop

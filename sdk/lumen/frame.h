@@ -72,8 +72,10 @@ class Draw {
   virtual const Camera& camera() const = 0;
   virtual const glm::mat4& world_to_clip() const = 0;
   virtual glm::ivec2 size() const = 0;
-  /// Only pixels of opaque, unsplit surfaces are wanted: what faces away, or lies behind, need not be drawn.
+  /// Only what is in front can be seen: clusters of a closed surface that face away need not be drawn.
   virtual bool front_suffices() const = 0;
+  /// Primitives are told apart by gl_PrimitiveID: draw all in one call, in the order of the data that the shader expects.
+  virtual bool identifies() const = 0;
   /// The parts to draw, one by one; one untouched part if there is no splitter.
   virtual std::span<const Part> parts() const = 0;
   /// Makes the shader's program current for part `index`, with the instance's properties. Textures from `inputs` are bound.

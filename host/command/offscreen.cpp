@@ -1,0 +1,48 @@
+#include "command/offscreen.h"
+
+#include <lumen/error.h>
+
+namespace lumenshop {
+
+Offscreen::Offscreen(const Options& options) : view_id_(options.view), size_(options.size) {
+  workshop_ = std::make_unique<Workshop>(Workshop::Options{.plugin_folders = options.plugin_folders});
+  if (!options.warm_worker.empty()) workshop_->helper().warm_up(options.warm_worker);
+  workshop_->open(options.files);
+  Session& session = workshop_->session();
+  for (const Override& override : options.overrides) {
+    try {
+      session.override_value(override.path, override.value);
+    } catch (const lumen::Error& error) {
+      findings_.add(std::string("--set ") + error.what());
+    }
+  }
+  session.update();
+  workshop_->scheduler().update();  // files are read on worker threads while the driver starts
+  context_.emplace();
+  reopen();
+  workshop_->scheduler().wait();
+}
+
+void Offscreen::reopen() {
+  view_ = &workshop_->view(view_id_);
+  view_->resize(size_);
+}
+
+Offscreen::~Offscreen() {
+  if (workshop_) workshop_->close_views();
+}
+
+void Offscreen::finish() {
+  workshop_->session().update();
+  workshop_->scheduler().wait();
+  workshop_->session().update();
+  view_->finish();
+}
+
+Findings Offscreen::all_findings() const {
+  Findings all = findings_;
+  all.add(workshop_->problems());
+  return all;
+}
+
+}  // namespace lumenshop

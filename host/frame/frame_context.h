@@ -1,0 +1,38 @@
+/// What the passes of one frame share.
+#pragma once
+
+#include <lumen/gl/buffer.h>
+
+#include "frame/layer_store.h"
+#include "frame/pass_log.h"
+#include "frame/shader_library.h"
+#include "frame/shading.h"
+#include "frame/value_table.h"
+#include "frame/view_geometry.h"
+#include "frame/view_scene.h"
+
+namespace lumenshop {
+
+struct FrameContext {
+  Session& session;
+  ShaderLibrary& shaders;
+  ValueTable& values;
+  Shading& shading;
+  PassLog& log;
+  LayerStore& layers;               ///< of this sample's set
+  const ViewScene& scene;
+  const ViewGeometry& geometry;
+  const lumen::gl::Buffer& frame_block;
+  const lumen::gl::Buffer& light_block;
+  std::uint64_t geometry_key;       ///< differs with camera, size, jitter and scene extent
+  std::uint64_t light_key;          ///< differs with the lights
+  int set;                          ///< 0: pixel centers; 1: the other samples, which are not kept
+
+  /// The blocks and the value table, for a program that is about to draw.
+  void bind(Program& program) const;
+};
+
+/// Draws the triangle of a full-screen pass with the current program.
+void draw_fullscreen_triangle();
+
+}  // namespace lumenshop

@@ -1,0 +1,33 @@
+#include "frame/layer_store.h"
+
+namespace lumenshop {
+
+const lumen::gl::Texture& LayerStore::allocate(std::string_view name, lumen::Format format, glm::ivec2 size) {
+  Layer& layer = layers_[std::string(name)];
+  if (!layer.texture || layer.texture.format() != format || layer.texture.size() != size) {
+    layer.texture = lumen::gl::Texture();  // the old memory goes first
+    layer.texture = lumen::gl::Texture(format, size);
+    layer.revision = ++clock_;
+  }
+  return layer.texture;
+}
+
+const lumen::gl::Texture* LayerStore::find(std::string_view name) const {
+  const auto found = layers_.find(name);
+  return found == layers_.end() ? nullptr : &found->second.texture;
+}
+
+std::uint64_t LayerStore::revision(std::string_view name) const {
+  const auto found = layers_.find(name);
+  return found == layers_.end() ? 0 : found->second.revision;
+}
+
+void LayerStore::drawn(std::string_view name) {
+  if (const auto found = layers_.find(name); found != layers_.end()) found->second.revision = ++clock_;
+}
+
+void LayerStore::drop(std::string_view name) {
+  if (const auto found = layers_.find(name); found != layers_.end()) layers_.erase(found);
+}
+
+}  // namespace lumenshop

@@ -1,0 +1,32 @@
+/// The textures of a view's layers, by name, with a revision that grows whenever one is drawn anew.
+#pragma once
+
+#include <map>
+#include <string>
+#include <string_view>
+
+#include <lumen/gl/texture.h>
+
+namespace lumenshop {
+
+class LayerStore {
+ public:
+  /// The texture, made anew if format or size differ.
+  const lumen::gl::Texture& allocate(std::string_view name, lumen::Format format, glm::ivec2 size);
+  /// Null if nobody allocated it.
+  const lumen::gl::Texture* find(std::string_view name) const;
+  std::uint64_t revision(std::string_view name) const;  ///< 0 = not there
+  void drawn(std::string_view name);                    ///< its contents are new
+  void drop(std::string_view name);
+  void clear() { layers_.clear(); }
+
+ private:
+  struct Layer {
+    lumen::gl::Texture texture;
+    std::uint64_t revision = 0;
+  };
+  std::map<std::string, Layer, std::less<>> layers_;
+  std::uint64_t clock_ = 0;
+};
+
+}  // namespace lumenshop

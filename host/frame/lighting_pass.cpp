@@ -1,0 +1,85 @@
+#include "frame/lighting_pass.h"
+
+#include <lumen/gl/framebuffer.h>
+
+#include "frame/hash.h"
+
+namespace lumenshop {
+
+Visibility visibility_of(const FrameContext& context) {
+  Visibility visibility;
+  if (context.scene.occlusion == nullptr) return visibility;
+  const auto* occlusion = context.scene.occlusion->as<lumen::Occlusion>(lumen::Kind::occlusion);
+  visibility.attenuates = occlusion->attenuates();
+  for (const lumen::Writes* writes : occlusion->writes())
+    if (writes->layer() == "occlusion" || writes->layer() == "illumination") visibility.layer = writes->layer();
+  if (context.layers.find(visibility.layer) == nullptr) visibility.layer.clear();
+  return visibility;
+}
+
+void run_lighting_pass(const FrameContext& context, bool summands) {
+  LayerStore& layers = context.layers;
+  const glm::ivec2 size = context.geometry.size();
+  const Visibility visibility = visibility_of(context);
+  const lumen::gl::Texture* albedo = layers.find("albedo");
+  std::vector<const char*> names = {"lit"};
+  if (summands) names.insert(names.end(), {"ambient", "diffuse", "specular"});
+  std::vector<const lumen::gl::Texture*> targets;
+  for (const char* name : names) targets.push_back(&layers.allocate(name, lumen::Format::RGBA32F, size));
+
+  const std::uint64_t signature = Hash()
+                                      .add(context.shading.signature(context.shaders))
+                                      .add(visibility.layer)
+                                      .add(visibility.attenuates)
+                                      .add(albedo != nullptr)
+                                      .add(summands)
+                                      .value();
+  const std::uint64_t key = Hash()
+                                .add(signature)
+                                .add(context.geometry_key)
+                                .add(context.light_key)
+                                .add(context.shading.value_revision())
+                                .add(layers.revision("normal"))
+                                .add(visibility.layer.empty() ? 0 : layers.revision(visibility.layer))
+                                .add(context.shaders.revision("host/lighting.glsl"))
+                                .value();
+  context.log.run("lighting", context.set, key, [&] {
+    const lumen::gl::Framebuffer target(targets, layers.find("depth_buffer"));
+    target.bind();
+    glViewport(0, 0, size.x, size.y);
+    const float nothing[4] = {};
+    for (std::size_t i = 0; i < targets.size(); ++i) glClearNamedFramebufferfv(target.name(), GL_COLOR, GLint(i), nothing);
+    for (const char* name : names) layers.drawn(name);
+    Program* program = context.shaders.program("lighting", signature, [&](ProgramText& vertex, ProgramText& fragment) {
+      vertex.generated(fullscreen_triangle);
+      fragment.generated("uniform sampler2D lumen_layer_normal, lumen_layer_depth, lumen_layer_albedo, lumen_visibility_layer;");
+      fragment.include("host/lighting.glsl");
+      context.shading.write(fragment, visibility.attenuates, false, nullptr);
+      std::string main;
+      for (std::size_t i = 0; i < names.size(); ++i) main += "layout(location = " + std::to_string(i) + ") out vec4 lumen_" + names[i] + ";\n";
+      main += "void main() {\n  vec2 uv = gl_FragCoord.xy / lumen.size.xy;\n  Surface s = surface_at(uv);\n  lumen_material(s);\n";
+      if (albedo != nullptr) main += "  s.diffuse_color = textureLod(lumen_layer_albedo, uv, 0.0).rgb;\n";
+      main += "  vec3 visibility = vec3(1);\n";
+      if (visibility.layer == "occlusion") main += "  visibility -= textureLod(lumen_visibility_layer, uv, 0.0).r;\n";
+      if (visibility.layer == "illumination") main += "  visibility = textureLod(lumen_visibility_layer, uv, 0.0).rgb;\n";
+      main += "  Lighting l = shade(s, visibility);\n  lumen_lit = vec4(l.ambient + l.diffuse + l.specular, 1);\n";
+      for (std::size_t i = 1; i < names.size(); ++i) main += std::string("  lumen_") + names[i] + " = vec4(l." + names[i] + ", 1);\n";
+      fragment.generated(main + "}\n");
+    });
+    if (program == nullptr) return;
+    context.bind(*program);
+    program->bind("lumen_layer_normal", layers.find("normal")->name());
+    program->bind("lumen_layer_depth", layers.find("depth")->name());
+    if (albedo != nullptr) program->bind("lumen_layer_albedo", albedo->name());
+    if (!visibility.layer.empty()) program->bind("lumen_visibility_layer", layers.find(visibility.layer)->name());
+    // Only covered pixels: the triangle lies at the far plane, behind what was drawn.
+    glDisable(GL_BLEND);
+    glEnable(GL_DEPTH_TEST);
+    glDepthFunc(GL_GREATER);
+    glDepthMask(GL_FALSE);
+    draw_fullscreen_triangle();
+    glDepthMask(GL_TRUE);
+  });
+}
+
+}  // namespace lumenshop

@@ -1,0 +1,63 @@
+/// Runs the drawing function of an occlusion, a transparency, a compositor or an overlay: what they see as Frame.
+#pragma once
+
+#include <map>
+#include <set>
+#include <string>
+
+#include <lumen/frame.h>
+
+#include "frame/frame_context.h"
+
+namespace lumenshop {
+
+/// What is remembered of an instance between its runs, to know when it must run again.
+struct PluginPassMemory {
+  std::set<std::string> files;   ///< shaders that its last run used
+  bool uses_time = false;
+  bool unfinished = false;
+  int iteration = 0;
+  std::uint64_t base_key = 0;    ///< of everything but the iteration
+};
+
+/// Where a pass finds layers that stand under another name, and where it writes: layer name -> store name.
+using LayerNames = std::map<std::string, std::string, std::less<>>;
+
+class PluginPass final : public lumen::TransparencyFrame {
+ public:
+  /// `names` maps what the plugin calls a layer to what the store calls it (a compositor's `color` is its predecessor's).
+  PluginPass(const FrameContext& context, Instance& instance, PluginPassMemory& memory, LayerNames reads, LayerNames writes);
+
+  /// Allocates what it writes and calls `draw` if anything that it declared has changed. True if it ran.
+  bool run(const std::function<void(PluginPass&)>& draw);
+
+  // lumen::Frame
+  glm::ivec2 size() const override { return context_.geometry.size(); }
+  int border() const override { return context_.geometry.border; }
+  const lumen::Camera& camera() const override { return context_.geometry.camera; }
+  float scene_radius() const override { return context_.geometry.scene_radius; }
+  glm::vec2 extent() const override { return context_.geometry.extent; }
+  double time() const override;
+  const lumen::gl::Texture& layer(const lumen::Reads& reads) const override;
+  const lumen::gl::Texture& layer(const lumen::Writes& writes) const override;
+  const lumen::gl::Texture& scratch(std::string_view name, lumen::Format format, glm::ivec2 size) override;
+  void fullscreen(std::string_view shader, const lumen::FullscreenPass& pass) override;
+  int iteration() const override { return memory_.iteration; }
+  void unfinished() override { memory_.unfinished = true; }
+  // lumen::TransparencyFrame
+  void surfaces(std::string_view shader, const char* function, std::span<const lumen::Target> targets,
+                std::span<const glm::vec4> clear) override;
+
+ private:
+  std::uint64_t key() const;
+  std::string stored(const LayerNames& names, const std::string& layer) const;
+  std::string accessors() const;
+  void bind_layers(Program& program) const;
+
+  const FrameContext& context_;
+  Instance& instance_;
+  PluginPassMemory& memory_;
+  LayerNames reads_, writes_;
+};
+
+}  // namespace lumenshop

@@ -1,0 +1,150 @@
+#include "frame/shading.h"
+
+#include <algorithm>
+#include <span>
+
+#include "frame/hash.h"
+
+namespace lumenshop {
+namespace {
+
+/// A row of lumen_styles in shaders/host/styles.glsl (std430).
+struct StyleRow {
+  glm::ivec4 rows{0}, variant{0};
+  glm::vec4 ambient_color{0.2f, 0.2f, 0.2f, 1}, diffuse_color{0.8f, 0.8f, 0.8f, 1}, specular_color{0, 0, 0, 1};
+};
+
+template <class T>
+const T* value_of(const Instance& instance, std::string_view property) {
+  const int slot = instance.slot_of(property);
+  return slot < 0 ? nullptr : std::get_if<T>(&instance.read(slot));
+}
+
+std::string file_of(const Instance& instance) {
+  std::string file = instance.type();
+  std::replace(file.begin(), file.end(), '.', '/');
+  return file + ".glsl";
+}
+
+}  // namespace
+
+SurfaceStyle style_of(const Session& session, const Instance& renderer) {
+  SurfaceStyle style;
+  for (std::size_t i = 0; i < SurfaceStyle::kinds.size(); ++i) {
+    const auto* reference = value_of<lumen::Reference>(renderer, lumen::name_of(SurfaceStyle::kinds[i]));
+    if (reference == nullptr || reference->empty()) continue;
+    Instance* term = session.find(reference->id);
+    if (term != nullptr && term->plugin() != nullptr && term->kind() == SurfaceStyle::kinds[i] && term->enabled()) style.terms[i] = term;
+  }
+  return style;
+}
+
+int Shading::term_index(const Instance& instance) {
+  const std::string file = file_of(instance), properties = properties_text(instance, "");
+  for (std::size_t i = 0; i < terms_.size(); ++i)
+    if (terms_[i].file == file && terms_[i].properties == properties) return int(i);
+  const auto versions = std::count_if(terms_.begin(), terms_.end(), [&](const Term& term) { return term.file == file; });
+  terms_.push_back({&instance, file, properties, prefix_of(file) + (versions ? "v" + std::to_string(versions) + "_" : "")});
+  return int(terms_.size()) - 1;
+}
+
+void Shading::update(const Session& session, const std::vector<Instance*>& renderers, const ValueTable& values) {
+  terms_.clear();
+  variants_.clear();
+  styles_.clear();
+  variant_of_.clear();
+  Hash hash;
+  std::vector<StyleRow> rows(1);
+  for (Instance* renderer : renderers) {
+    const SurfaceStyle style = styles_[renderer] = style_of(session, *renderer);
+    Variant variant;
+    StyleRow row;
+    for (std::size_t i = 0; i < style.terms.size(); ++i) {
+      const Instance* term = style.terms[i];
+      variant.terms[i] = term == nullptr ? -1 : term_index(*term);
+      row.rows[int(i)] = term == nullptr ? 0 : values.row_of(*term);
+      if (term != nullptr) hash.add(term->number()).add(term->draw_revision()).add(term->shading_revision());
+    }
+    auto found = std::find(variants_.begin(), variants_.end(), variant);
+    if (found == variants_.end()) found = variants_.insert(variants_.end(), variant);
+    row.variant.x = variant_of_[renderer] = int(found - variants_.begin());
+    if (const auto* color = value_of<lumen::Color>(*renderer, "ambient_color")) row.ambient_color = glm::vec4(color->rgb, 1);
+    if (const auto* color = value_of<lumen::Color>(*renderer, "diffuse_color")) row.diffuse_color = glm::vec4(color->rgb, 1);
+    if (const auto* color = value_of<lumen::Color>(*renderer, "specular_color")) row.specular_color = glm::vec4(color->rgb, 1);
+    if (const auto* shininess = value_of<float>(*renderer, "shininess")) row.specular_color.w = *shininess;
+    const auto number = std::size_t(renderer->number());
+    if (rows.size() <= number) rows.resize(number + 1);
+    rows[number] = row;
+    hash.add(number).add(renderer->shading_revision());
+  }
+  value_revision_ = hash.value();
+  table_.write(std::as_bytes(std::span(rows)));
+}
+
+void Shading::bind() const { glBindBufferBase(GL_SHADER_STORAGE_BUFFER, 1, table_.name()); }
+
+std::uint64_t Shading::signature(ShaderLibrary& library) const {
+  Hash hash;
+  for (const Term& term : terms_) hash.add(term.file).add(term.properties).add(library.revision(term.file));
+  for (const Variant& variant : variants_) hash.add(variant);
+  return hash.value();
+}
+
+const SurfaceStyle& Shading::style(const Instance& renderer) const { return styles_.at(&renderer); }
+
+std::string Shading::shade_case(const Variant& variant) const {
+  const auto& [ambient, diffuse, specular, opacity] = variant.terms;
+  const auto load = [&](int term, const char* component) {
+    return terms_[std::size_t(term)].prefix + "load(lumen_styles[s.instance].rows." + component + ")";
+  };
+  const auto declare = [&](int term, const char* name, const char* component) {
+    return "    " + terms_[std::size_t(term)].prefix + "Properties " + name + " = " + load(term, component) + ";\n";
+  };
+  std::string text = "    r.ambient = ";
+  text += ambient < 0 ? "s.ambient_color" : terms_[std::size_t(ambient)].prefix + "ambient(" + load(ambient, "x") + ", s)";
+  text += ";\n";
+  if (diffuse >= 0) text += declare(diffuse, "lumen_d", "y");
+  if (specular >= 0) text += declare(specular, "lumen_s", "z");
+  if (diffuse < 0 && specular < 0) return text;
+  text += "    for (int i = 0; i < lumen_light_count.x; ++i) {\n      Light light = light_at(i, s.position);\n";
+  if (diffuse >= 0) text += "      r.diffuse += " + terms_[std::size_t(diffuse)].prefix + "diffuse(lumen_d, s, light);\n";
+  if (specular >= 0)
+    text += "      if (dot(s.normal, light.direction) > 0.0) r.specular += " + terms_[std::size_t(specular)].prefix + "specular(lumen_s, s, light);\n";
+  return text + "    }\n";
+}
+
+void Shading::write(ProgramText& text, lumen::Attenuates attenuates, bool with_opacity, const Instance* only) const {
+  text.include("lib/values.glsl");
+  text.include("host/styles.glsl");
+  const int single = only == nullptr ? -1 : variant_of_.at(only);
+  std::vector<bool> wanted(terms_.size(), false);
+  for (std::size_t v = 0; v < variants_.size(); ++v) {
+    if (single >= 0 && int(v) != single) continue;
+    for (std::size_t i = 0; i < 4; ++i)
+      if (const int term = variants_[v].terms[i]; term >= 0 && (i < 3 || with_opacity)) wanted[std::size_t(term)] = true;
+  }
+  for (std::size_t i = 0; i < terms_.size(); ++i) {
+    if (!wanted[i]) continue;
+    text.generated(properties_text(*terms_[i].instance, terms_[i].prefix));
+    text.file(terms_[i].file, {lumen::name_of(terms_[i].instance->kind())}, terms_[i].prefix);
+  }
+  std::string cases;
+  for (std::size_t v = 0; v < variants_.size(); ++v)
+    if (single < 0 || int(v) == single) cases += "  case " + std::to_string(v) + ": {\n" + shade_case(variants_[v]) + "  } break;\n";
+  std::string function = "Lighting shade(Surface s, vec3 visibility) {\n  Lighting r = Lighting(vec3(0), vec3(0), vec3(0));\n";
+  if (!cases.empty())
+    function += "  switch (" + (single >= 0 ? std::to_string(single) : std::string("lumen_styles[s.instance].variant.x")) + ") {\n" + cases + "  }\n";
+  function += "  r.ambient *= visibility;\n";
+  if (attenuates != lumen::Attenuates::ambient) function += "  r.diffuse *= visibility;\n";
+  if (attenuates == lumen::Attenuates::everything) function += "  r.specular *= visibility;\n";
+  function += "  return r;\n}\n";
+  if (with_opacity) {
+    const int term = single < 0 ? -1 : variants_[std::size_t(single)].terms[3];
+    function += "float opacity_of(Surface s) { return ";
+    function += term < 0 ? "1.0" : terms_[std::size_t(term)].prefix + "opacity(" + terms_[std::size_t(term)].prefix + "load(lumen_styles[s.instance].rows.w), s)";
+    function += "; }\n";
+  }
+  text.generated(function);
+}
+
+}  // namespace lumenshop

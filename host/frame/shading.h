@@ -1,0 +1,65 @@
+/// The view's shading: the terms of all styles fused into one function, never a second copy of a term's code.
+///
+/// Lighting: radiance = ambient * visibility + sum over lights (diffuse + specular); specular only where N.L > 0.
+#pragma once
+
+#include <array>
+#include <string>
+#include <vector>
+
+#include <lumen/gl/buffer.h>
+#include <lumen/occlusion.h>
+
+#include "frame/program_text.h"
+#include "frame/value_table.h"
+#include "model/session.h"
+
+namespace lumenshop {
+
+/// The terms of one surface; null = none.
+struct SurfaceStyle {
+  static constexpr std::array kinds = {lumen::Kind::ambient, lumen::Kind::diffuse, lumen::Kind::specular, lumen::Kind::opacity};
+  std::array<Instance*, 4> terms{};  ///< in the order of `kinds`
+};
+
+/// What a renderer's references say; a reference to what is missing, disabled or of another kind is none.
+SurfaceStyle style_of(const Session& session, const Instance& renderer);
+
+class Shading {
+ public:
+  /// Collects the styles of these renderers, and gives each combination of terms a number.
+  void update(const Session& session, const std::vector<Instance*>& renderers, const ValueTable& values);
+  void bind() const;
+
+  /// Changes when the generated text would: styles, constants, files.
+  std::uint64_t signature(ShaderLibrary& library) const;
+  /// Grows with the values that the styles' terms and materials have.
+  std::uint64_t value_revision() const { return value_revision_; }
+  const SurfaceStyle& style(const Instance& renderer) const;
+
+  /// Adds shade(s, visibility); `with_opacity`: also opacity_of(s). `only`: the one renderer whose surfaces are met, or null.
+  void write(ProgramText& text, lumen::Attenuates attenuates, bool with_opacity, const Instance* only) const;
+  /// How many lights there are goes into lib/lights.glsl's block; this is its size limit.
+  static constexpr int light_limit = 16;
+
+ private:
+  struct Term {
+    const Instance* instance;
+    std::string file, properties, prefix;  ///< properties: the text with a neutral prefix, to compare
+  };
+  struct Variant {
+    std::array<int, 4> terms;  ///< indices into terms_, -1 = none
+    bool operator==(const Variant&) const = default;
+  };
+  int term_index(const Instance& instance);
+  std::string shade_case(const Variant& variant) const;
+
+  std::vector<Term> terms_;
+  std::vector<Variant> variants_;
+  std::map<const Instance*, SurfaceStyle> styles_;
+  std::map<const Instance*, int> variant_of_;
+  std::uint64_t value_revision_ = 0;
+  lumen::gl::Buffer table_;
+};
+
+}  // namespace lumenshop

@@ -1,0 +1,143 @@
+// What leaves a ViewRenderer: the picture, layers as images, and what is under a pixel.
+
+#include <algorithm>
+#include <limits>
+
+#include <lumen/gl/framebuffer.h>
+
+#include "frame/hash.h"
+#include "frame/view_state.h"
+
+namespace lumenshop {
+namespace {
+
+/// A layer's channels in images, and how many of the texture's it takes; no channels: not a layer of this name.
+std::vector<std::string> channels_of_layer(std::string_view name) {
+  if (name == "color" || name == "transparent") return {"R", "G", "B", "A"};
+  if (name == "albedo" || name == "ambient" || name == "diffuse" || name == "specular" || name == "id") return {"R", "G", "B"};
+  if (name == "normal" || name == "position") return {"X", "Y", "Z"};
+  if (name == "depth") return {"Z"};
+  if (name == "occlusion" || name == "opacity") return {"Y"};
+  return {};
+}
+
+}  // namespace
+
+const lumen::gl::Texture& ViewRenderer::picture() const {
+  State& state = *state_;
+  const lumen::gl::Texture* full = state.centers.find(state.picture);
+  if (full == nullptr) throw lumen::Error("view '" + state.view + "'", "nothing has been drawn yet");
+  if (state.geometry.border == 0) return *full;
+  const std::uint64_t revision = Hash().add(std::string_view(state.picture)).add(state.centers.revision(state.picture)).value();
+  if (revision != state.cropped_revision) {
+    const int border = state.geometry.border;
+    if (!state.cropped || state.cropped.size() != state.size || state.cropped.format() != full->format())
+      state.cropped = lumen::gl::Texture(full->format(), state.size);
+    glCopyImageSubData(full->name(), GL_TEXTURE_2D, 0, border, border, 0, state.cropped.name(), GL_TEXTURE_2D, 0, 0, 0, 0, state.size.x, state.size.y, 1);
+    state.cropped_revision = revision;
+  }
+  return state.cropped;
+}
+
+std::shared_ptr<lumen::Image> ViewRenderer::layer(const std::string& name) {
+  if (channels_of_layer(name).empty())
+    throw lumen::Error("layer '" + name + "'", "there is no such layer",
+                       "layers: color depth normal position albedo ambient diffuse specular occlusion opacity transparent id");
+  auto image = state_->image_of(name);
+  image->finish();
+  return image;
+}
+
+std::shared_ptr<lumen::Image> ViewRenderer::State::image_of(const std::string& name) {
+  std::string source = name;
+  if (name == "color") source = picture;
+  if (name == "position") source = "depth";
+  if (name == "opacity") source = "transparent";
+  if (samples > 1 && centers.find("mean " + source) != nullptr) source = "mean " + source;
+  const lumen::gl::Texture* texture = centers.find(source);
+
+  auto image = std::make_shared<lumen::Image>();
+  image->origin = view + ", layer " + name;
+  image->width = size.x;
+  image->height = size.y;
+  image->channels = channels_of_layer(name);
+  const std::size_t count = image->channels.size();
+  std::vector<float> pixels(std::size_t(size.x) * std::size_t(size.y) * count, 0.0f);
+  if (texture != nullptr) {
+    const std::vector<float> stored = texture->download();
+    const std::size_t stride = std::size_t(lumen::channels_of(texture->format()));
+    const int border = geometry.border, width = texture->size().x;
+    const glm::vec4 unproject = geometry.block.unproject;
+    for (int y = 0; y < size.y; ++y) {
+      const int row = size.y - 1 - y + border;  // images begin at the top
+      for (int x = 0; x < size.x; ++x) {
+        const float* from = &stored[(std::size_t(row) * std::size_t(width) + std::size_t(x + border)) * stride];
+        float* to = &pixels[(std::size_t(y) * std::size_t(size.x) + std::size_t(x)) * count];
+        if (name == "position") {
+          const glm::vec2 uv = (glm::vec2(x + border, row) + 0.5f) / glm::vec2(texture->size());
+          const glm::vec2 plane = uv * glm::vec2(unproject) + glm::vec2(unproject.z, unproject.w);
+          const glm::vec2 place = camera.orthographic || std::isinf(from[0]) ? plane : plane * from[0];
+          to[0] = place.x, to[1] = place.y, to[2] = -from[0];
+        } else if (name == "opacity") {
+          to[0] = from[3];
+        } else {
+          std::copy_n(from, std::min(stride, count), to);
+        }
+      }
+    }
+  } else if (name == "depth" || name == "position") {
+    std::fill(pixels.begin(), pixels.end(), std::numeric_limits<float>::infinity());
+  }
+  image->pixels = std::move(pixels);
+  return image;
+}
+
+ViewRenderer::Hit ViewRenderer::pick(glm::ivec2 pixel) {
+  State& state = *state_;
+  Hit hit;
+  if (state.scene.view == nullptr || pixel.x < 0 || pixel.y < 0 || pixel.x >= state.size.x || pixel.y >= state.size.y) return hit;
+  const glm::ivec2 size = state.geometry.size();
+  const glm::ivec2 at(pixel.x + state.geometry.border, size.y - 1 - pixel.y - state.geometry.border);
+  const lumen::gl::Texture id(lumen::Format::RGBA32UI, size), depth(lumen::Format::R32F, size), buffer(lumen::Format::depth32F, size);
+  const lumen::gl::Texture* const targets[] = {&id, &depth};
+  const lumen::gl::Framebuffer target(targets, &buffer);
+  target.bind();
+  glViewport(0, 0, size.x, size.y);
+  glEnable(GL_SCISSOR_TEST);
+  glScissor(at.x, at.y, 1, 1);
+  glEnable(GL_DEPTH_TEST);
+  glDepthFunc(GL_LESS);
+  glDepthMask(GL_TRUE);
+  const GLuint none[4] = {};
+  const float one = 1;
+  glClearNamedFramebufferuiv(target.name(), GL_COLOR, 0, none);
+  glClearNamedFramebufferfv(target.name(), GL_DEPTH, 0, &one);
+  const SurfaceOutput output{
+      .name = "pick",
+      .write = [](ProgramText& text, const Instance&) {
+        text.generated("layout(location = 0) out uvec4 lumen_id;\nlayout(location = 1) out float lumen_depth;\n"
+                       "void main() {\n  Surface s = lumen_surface();\n"
+                       "  lumen_id = uvec4(s.instance, s.part + 1, s.primitive + 1, 0);\n  lumen_depth = -s.position.z;\n}\n");
+      },
+      .identifies = true};
+  const FrameContext frame = state.context(0, state.geometry, state.centers);
+  for (const auto* surfaces : {&state.scene.opaque, &state.scene.transparent})
+    for (const SceneSurface& surface : *surfaces) draw_surface(frame, surface, output);
+  glDisable(GL_SCISSOR_TEST);
+  GLuint numbers[4] = {};
+  float distance = 0;
+  glGetTextureSubImage(id.name(), 0, at.x, at.y, 0, 1, 1, 1, GL_RGBA_INTEGER, GL_UNSIGNED_INT, sizeof numbers, numbers);
+  glGetTextureSubImage(depth.name(), 0, at.x, at.y, 0, 1, 1, 1, GL_RED, GL_FLOAT, sizeof distance, &distance);
+  if (numbers[0] == 0) return hit;
+  hit.instance = int(numbers[0]);
+  hit.part = int(numbers[1]);
+  hit.primitive = int(numbers[2]);
+  const glm::vec2 uv = (glm::vec2(at) + 0.5f) / glm::vec2(size);
+  const glm::vec4 unproject = state.geometry.block.unproject;
+  const glm::vec2 plane = uv * glm::vec2(unproject) + glm::vec2(unproject.z, unproject.w);
+  const glm::vec3 eye(state.camera.orthographic ? plane : plane * distance, -distance);
+  hit.position = glm::vec3(glm::inverse(state.camera.view) * glm::vec4(eye, 1));
+  return hit;
+}
+
+}  // namespace lumenshop

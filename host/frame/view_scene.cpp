@@ -1,0 +1,106 @@
+#include "frame/view_scene.h"
+
+#include <algorithm>
+
+#include <lumen/interactor.h>
+#include <lumen/renderer.h>
+#include <lumen/splitter.h>
+
+#include "frame/shading.h"
+
+namespace lumenshop {
+namespace {
+
+using lumen::Kind;
+
+class Finder {
+ public:
+  Finder(const Session& session, const std::string& view, ViewScene& scene) : session_(session), view_(view), scene_(scene) {}
+
+  /// The enabled instance of that kind, or null; what is named but not there is a problem that the session reports itself.
+  Instance* find(const std::string& id, Kind kind) const {
+    Instance* instance = id.empty() ? nullptr : session_.find(id);
+    return instance != nullptr && instance->plugin() != nullptr && instance->kind() == kind && instance->enabled() ? instance : nullptr;
+  }
+  std::vector<Instance*> find_all(const lumen::References& references, Kind kind) const {
+    std::vector<Instance*> found;
+    for (const std::string& id : references.ids)
+      if (Instance* instance = find(id, kind); instance != nullptr && std::find(found.begin(), found.end(), instance) == found.end())
+        found.push_back(instance);
+    return found;
+  }
+  void problem(lumen::Severity severity, const std::string& instance, const std::string& message) const {
+    scene_.problems.push_back({.severity = severity, .instance = instance, .message = message});
+  }
+
+  SceneSurface surface(Instance& instance) const {
+    SceneSurface surface{&instance, {lumen::Part{}}};
+    const int slot = instance.slot_of("splitter");
+    const auto* reference = slot < 0 ? nullptr : std::get_if<lumen::Reference>(&instance.read(slot));
+    Instance* splitter = reference == nullptr ? nullptr : find(reference->id, Kind::splitter);
+    if (splitter == nullptr) return surface;
+    try {
+      auto parts = splitter->as<lumen::Splitter>(Kind::splitter)->parts(instance.as<lumen::Renderer>(Kind::renderer)->bounds());
+      for (const lumen::Part& part : parts)
+        if (part.planes.size() > 8) throw lumen::Error(splitter->id(), "a part has more than 8 planes");
+      if (!parts.empty()) surface.parts = std::move(parts);
+      surface.splitter = splitter;
+    } catch (const std::exception& error) {
+      problem(lumen::Severity::error, splitter->id(), error.what());
+    }
+    return surface;
+  }
+
+ private:
+  const Session& session_;
+  std::string view_;
+  ViewScene& scene_;
+};
+
+}  // namespace
+
+std::vector<Instance*> ViewScene::renderers() const {
+  std::vector<Instance*> all;
+  for (const auto* list : {&opaque, &transparent})
+    for (const SceneSurface& surface : *list) all.push_back(surface.instance);
+  return all;
+}
+
+ViewScene find_scene(const Session& session, const std::string& id) {
+  Instance* instance = session.find(id);
+  auto* view = instance == nullptr ? nullptr : instance->as<View>(Kind::view);
+  if (view == nullptr) throw lumen::Error("view '" + id + "'", "the session has no such view");
+  ViewScene scene{.view = view};
+  const Finder finder(session, id, scene);
+
+  scene.camera = finder.find(view->camera.get().id, Kind::interactor);
+  if (scene.camera != nullptr && !scene.camera->as<lumen::Interactor>(Kind::interactor)->is_camera()) scene.camera = nullptr;
+  for (Instance* light : finder.find_all(view->lights, Kind::interactor))
+    if (light->as<lumen::Interactor>(Kind::interactor)->is_light()) scene.lights.push_back(light);
+  if (scene.lights.size() > Shading::light_limit) {
+    finder.problem(lumen::Severity::warning, id, "only the first 16 lights shine");
+    scene.lights.resize(Shading::light_limit);
+  }
+  scene.occlusion = finder.find(view->occlusion.get().id, Kind::occlusion);
+  scene.transparency = finder.find(view->transparency.get().id, Kind::transparency);
+  scene.compositors = finder.find_all(view->compositors, Kind::compositor);
+  scene.interactors = finder.find_all(view->interactors, Kind::interactor);
+  for (Instance* interactor : scene.interactors)
+    if (!interactor->plugin()->writes().empty()) scene.overlays.push_back(interactor);
+
+  for (Instance* renderer : finder.find_all(view->renderers, Kind::renderer)) {
+    const lumen::Bounds bounds = renderer->as<lumen::Renderer>(Kind::renderer)->bounds();
+    if (bounds.empty()) continue;
+    SceneSurface surface = finder.surface(*renderer);
+    scene.bounds.include(bounds);
+    for (const lumen::Part& part : surface.parts) scene.split_bounds.include(bounds.transformed(part.transform));
+    const bool transparent = style_of(session, *renderer).terms[3] != nullptr;
+    if (transparent && scene.transparency == nullptr)
+      finder.problem(lumen::Severity::warning, renderer->id(),
+                     "has an opacity, but view '" + id + "' has no transparency: drawn opaque; give the view one, say transparency.weighted");
+    (transparent && scene.transparency != nullptr ? scene.transparent : scene.opaque).push_back(std::move(surface));
+  }
+  return scene;
+}
+
+}  // namespace lumenshop

@@ -1,0 +1,44 @@
+/// What a view names, found: the live instances of one picture, in drawing order.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include <lumen/camera.h>
+#include <lumen/data.h>
+#include <lumen/editor.h>
+#include <lumen/part.h>
+
+#include "model/session.h"
+#include "model/view.h"
+
+namespace lumenshop {
+
+struct SceneSurface {
+  Instance* instance;
+  std::vector<lumen::Part> parts;          ///< at least one
+  Instance* splitter = nullptr;
+  bool split() const { return parts.size() > 1 || !parts.front().planes.empty(); }
+};
+
+struct ViewScene {
+  View* view = nullptr;
+  Instance* camera = nullptr;              ///< null: a camera that fits the scene
+  std::vector<Instance*> lights;           ///< at most Shading::light_limit
+  std::vector<SceneSurface> opaque, transparent;
+  Instance* occlusion = nullptr;
+  Instance* transparency = nullptr;
+  std::vector<Instance*> compositors;
+  std::vector<Instance*> overlays;         ///< interactors that write `color`
+  std::vector<Instance*> interactors;
+  lumen::Bounds bounds;                    ///< world, surfaces unsplit
+  lumen::Bounds split_bounds;              ///< world, parts where they are drawn
+  std::vector<lumen::Problem> problems;    ///< what cannot be, in words that name the instances
+
+  std::vector<Instance*> renderers() const;
+};
+
+/// Throws lumen::Error if the session has no such view.
+ViewScene find_scene(const Session& session, const std::string& view);
+
+}  // namespace lumenshop

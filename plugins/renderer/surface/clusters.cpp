@@ -1,0 +1,122 @@
+#include "clusters.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+#include <meshoptimizer.h>
+
+namespace {
+
+constexpr std::uint32_t cluster_size = 128;
+
+/// Positions that are equal get one number, so that seams of duplicated points do not tear the surface apart.
+std::vector<std::uint32_t> merged_points(const lumen::Mesh& mesh) {
+  std::vector<std::uint32_t> remap(mesh.positions.size());
+  meshopt_generateVertexRemap(remap.data(), nullptr, mesh.positions.size(), mesh.positions.data(), mesh.positions.size(), sizeof(glm::vec3));
+  return remap;
+}
+
+std::uint64_t scrambled(std::uint64_t x) {  // splitmix64, Steele et al. 2014
+  x += 0x9e3779b97f4a7c15ull;
+  x = (x ^ (x >> 30)) * 0xbf58476d1ce4e5b9ull;
+  x = (x ^ (x >> 27)) * 0x94d049bb133111ebull;
+  return x ^ (x >> 31);
+}
+
+/// Every edge is used as often in one direction as in the other: random numbers of the edges, signed by direction, cancel.
+bool is_closed(const lumen::Mesh& mesh, const std::vector<std::uint32_t>& point) {
+  std::uint64_t sum = 0;
+  for (const glm::uvec3& triangle : mesh.triangles) {
+    for (int i = 0; i < 3; ++i) {
+      const std::uint64_t a = point[triangle[i]], b = point[triangle[(i + 1) % 3]];
+      if (a < b) sum += scrambled(a << 32 | b);
+      if (b < a) sum -= scrambled(b << 32 | a);
+    }
+  }
+  return sum == 0;
+}
+
+/// Every connected part encloses a positive volume: it is turned outward.
+bool is_outward(const lumen::Mesh& mesh, const std::vector<std::uint32_t>& point) {
+  std::vector<std::uint32_t> parent(mesh.positions.size());
+  std::iota(parent.begin(), parent.end(), 0u);
+  const auto root = [&](std::uint32_t i) {
+    while (parent[i] != i) i = parent[i] = parent[parent[i]];
+    return i;
+  };
+  for (const glm::uvec3& triangle : mesh.triangles) {
+    const std::uint32_t a = root(point[triangle.x]);
+    parent[root(point[triangle.y])] = a;
+    parent[root(point[triangle.z])] = a;
+  }
+  std::vector<double> volume(mesh.positions.size(), 0.0);
+  const glm::dvec3 origin(mesh.bounds().center());
+  for (const glm::uvec3& triangle : mesh.triangles) {
+    const glm::dvec3 a = glm::dvec3(mesh.positions[triangle.x]) - origin, b = glm::dvec3(mesh.positions[triangle.y]) - origin,
+                     c = glm::dvec3(mesh.positions[triangle.z]) - origin;
+    volume[root(point[triangle.x])] += glm::dot(a, glm::cross(b, c));
+  }
+  return std::all_of(volume.begin(), volume.end(), [](double v) { return v >= 0; });
+}
+
+}  // namespace
+
+ClusteredMesh make_clusters(const lumen::Mesh& mesh) {
+  ClusteredMesh result;
+  const std::size_t count = mesh.triangles.size();
+  result.count = std::uint32_t(count);
+  if (count == 0) return result;
+  const auto* positions = &mesh.positions[0].x;
+
+  std::vector<std::uint32_t> points = merged_points(mesh);
+  result.solid = is_closed(mesh, points) && is_outward(mesh, points);
+
+  // Along a space-filling curve neighbors stand together: clusters are runs of the curve.
+  std::vector<glm::vec3> centroids(count);
+  for (std::size_t i = 0; i < count; ++i) {
+    const glm::uvec3& t = mesh.triangles[i];
+    centroids[i] = (mesh.positions[t.x] + mesh.positions[t.y] + mesh.positions[t.z]) / 3.0f;
+  }
+  std::vector<std::uint32_t> place(count);
+  meshopt_spatialSortRemap(place.data(), &centroids[0].x, count, sizeof(glm::vec3));
+  result.triangles.resize(count);
+  result.cells.resize(count);
+  for (std::size_t i = 0; i < count; ++i) {
+    result.triangles[place[i]] = mesh.triangles[i];
+    result.cells[place[i]] = mesh.triangle_cells.empty() ? std::uint32_t(i) : mesh.triangle_cells[i];
+  }
+  for (std::uint32_t first = 0; first < count; first += cluster_size) {
+    const std::uint32_t size = std::min(cluster_size, std::uint32_t(count) - first);
+    const meshopt_Bounds bounds = meshopt_computeClusterBounds(&result.triangles[first].x, size * 3, positions, mesh.positions.size(), sizeof(glm::vec3));
+    result.clusters.push_back({first, size, glm::vec3(bounds.center[0], bounds.center[1], bounds.center[2]), bounds.radius,
+                               glm::vec3(bounds.cone_axis[0], bounds.cone_axis[1], bounds.cone_axis[2]), bounds.cone_cutoff});
+  }
+  return result;
+}
+
+void visible_ranges(const ClusteredMesh& mesh, const Visibility& visibility, DrawRanges& ranges) {
+  ranges.counts.clear();
+  ranges.offsets.clear();
+  std::uint32_t next = ~0u;
+  for (const Cluster& cluster : mesh.clusters) {
+    const bool outside = std::any_of(std::begin(visibility.planes), std::end(visibility.planes), [&](const glm::vec4& plane) {
+      return glm::dot(glm::vec3(plane), cluster.center) + plane.w < -cluster.radius;
+    });
+    if (outside) continue;
+    if (visibility.skip_backs && cluster.cutoff < 1) {
+      const bool away = visibility.orthographic
+                            ? glm::dot(visibility.eye, cluster.axis) >= cluster.cutoff
+                            : glm::dot(cluster.center - visibility.eye, cluster.axis) >=
+                                  cluster.cutoff * glm::length(cluster.center - visibility.eye) + cluster.radius;
+      if (away) continue;
+    }
+    if (cluster.first == next) {
+      ranges.counts.back() += int(cluster.count * 3);
+    } else {
+      ranges.counts.push_back(int(cluster.count * 3));
+      ranges.offsets.push_back(reinterpret_cast<const void*>(std::uintptr_t(cluster.first) * sizeof(glm::uvec3)));
+    }
+    next = cluster.first + cluster.count;
+  }
+}

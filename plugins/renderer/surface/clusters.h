@@ -1,0 +1,41 @@
+/// A mesh in clusters of neighboring triangles, so that whole clusters that cannot be seen are not drawn.
+#pragma once
+
+#include <vector>
+
+#include <lumen/mesh.h>
+
+/// Where a cluster lies and which way its triangles face. Object space.
+struct Cluster {
+  std::uint32_t first = 0, count = 0;  ///< triangles, in the drawn order
+  glm::vec3 center{0};
+  float radius = 0;
+  glm::vec3 axis{0};                   ///< unit
+  float cutoff = 1;                    ///< sine of the widest angle to the axis; 1 = faces every way
+};
+
+struct ClusteredMesh {
+  std::vector<glm::uvec3> triangles;   ///< neighbors stand together
+  std::vector<std::uint32_t> cells;    ///< the source cell of each
+  std::vector<Cluster> clusters;
+  std::uint32_t count = 0;             ///< of triangles
+  /// Closed, and turned outward everywhere: seen from outside, what faces away is hidden.
+  bool solid = false;
+};
+
+ClusteredMesh make_clusters(const lumen::Mesh& mesh);
+
+/// What the eye may see, in object space.
+struct Visibility {
+  glm::vec4 planes[6];                 ///< of the frustum, inward, normals unit
+  bool skip_backs = false;             ///< leave out clusters that wholly face away
+  bool orthographic = false;
+  glm::vec3 eye{0};                    ///< where it is; orthographic: unit direction in which it looks
+};
+
+/// Index ranges to draw, in bytes and counts for glMultiDrawElements; neighbors are joined.
+struct DrawRanges {
+  std::vector<int> counts;
+  std::vector<const void*> offsets;
+};
+void visible_ranges(const ClusteredMesh& mesh, const Visibility& visibility, DrawRanges& ranges);

@@ -1,0 +1,75 @@
+#include "mesh_buffers.h"
+
+#include <cmath>
+
+namespace {
+
+template <class T>
+lumen::gl::Buffer buffer_of(std::span<const T> values) {
+  return lumen::gl::Buffer(std::as_bytes(values));
+}
+
+}  // namespace
+
+std::vector<float> shown_values(const lumen::Attribute& attribute) {
+  const std::size_t components = std::size_t(attribute.components);
+  std::vector<float> shown(attribute.values.size() / components);
+  for (std::size_t i = 0; i < shown.size(); ++i) {
+    if (components == 1) {
+      shown[i] = attribute.values[i];
+    } else {
+      float square = 0;
+      for (std::size_t c = 0; c < components; ++c) square += attribute.values[i * components + c] * attribute.values[i * components + c];
+      shown[i] = std::sqrt(square);
+    }
+  }
+  return shown;
+}
+
+MeshBuffers::MeshBuffers(const lumen::Mesh& mesh, const lumen::Attribute* attribute) : clusters_(make_clusters(mesh)) {
+  if (attribute == nullptr || attribute->on == lumen::Attribute::On::points) {
+    upload(mesh.positions, mesh.normals, attribute == nullptr ? std::vector<float>{} : shown_values(*attribute));
+    return;
+  }
+  // A value per cell: points are no longer shared, each corner has its cell's value.
+  const std::vector<float> cell_values = shown_values(*attribute);
+  std::vector<glm::vec3> positions, normals;
+  std::vector<float> values;
+  for (std::size_t i = 0; i < clusters_.triangles.size(); ++i) {
+    glm::uvec3& triangle = clusters_.triangles[i];
+    for (int corner = 0; corner < 3; ++corner) {
+      positions.push_back(mesh.positions[triangle[corner]]);
+      if (!mesh.normals.empty()) normals.push_back(mesh.normals[triangle[corner]]);
+      values.push_back(cell_values[clusters_.cells[i]]);
+    }
+    triangle = glm::uvec3(3 * i) + glm::uvec3(0, 1, 2);
+  }
+  upload(positions, normals, values);
+}
+
+void MeshBuffers::upload(std::span<const glm::vec3> positions, std::span<const glm::vec3> normals, std::span<const float> values) {
+  array_ = lumen::gl::VertexArray::create();
+  positions_ = buffer_of(positions);
+  array_.attribute(0, positions_, 3, sizeof(glm::vec3));
+  if (!normals.empty()) {
+    normals_ = buffer_of(normals);
+    array_.attribute(1, normals_, 3, sizeof(glm::vec3));
+  }
+  if (!values.empty()) {
+    values_ = buffer_of(values);
+    array_.attribute(2, values_, 1, sizeof(float));
+  }
+  triangles_ = buffer_of(std::span<const glm::uvec3>(clusters_.triangles));
+  array_.elements(triangles_);
+  cells_ = buffer_of(std::span<const std::uint32_t>(clusters_.cells));
+  // The GL has them now; the clusters alone are needed to choose what to draw.
+  clusters_.triangles = {};
+  clusters_.cells = {};
+}
+
+void MeshBuffers::bind() const {
+  array_.bind();
+  glVertexAttrib3f(1, 0, 0, 0);  // what points without a normal read
+  glVertexAttrib1f(2, 0);
+  glBindBufferBase(GL_SHADER_STORAGE_BUFFER, 8, cells_.name());
+}

@@ -1,0 +1,27 @@
+/// A mesh as the GL holds it.
+#pragma once
+
+#include <memory>
+#include <string>
+
+#include <lumen/gl/vertex_array.h>
+#include <lumen/mesh.h>
+
+#include "clusters.h"
+
+class MeshBuffers {
+ public:
+  /// `attribute`: the array that colors, or null; its magnitude if it has several components.
+  MeshBuffers(const lumen::Mesh& mesh, const lumen::Attribute* attribute);
+  void bind() const;
+  const ClusteredMesh& clusters() const { return clusters_; }
+
+ private:
+  void upload(std::span<const glm::vec3> positions, std::span<const glm::vec3> normals, std::span<const float> values);
+  ClusteredMesh clusters_;
+  lumen::gl::Buffer positions_, normals_, values_, triangles_, cells_;
+  lumen::gl::VertexArray array_;
+};
+
+/// The numbers of an array that are shown: the values, or the magnitudes of vectors.
+std::vector<float> shown_values(const lumen::Attribute& attribute);

@@ -1,0 +1,112 @@
+/// A triangle mesh as a lit surface, colored by its material or by an array through a color map. Clusters of triangles
+/// that lie outside of the view, or that wholly face away on a closed surface, are not drawn.
+
+#include <lumen/interactor.h>
+#include <lumen/renderer.h>
+
+#include "mesh_buffers.h"
+
+namespace {
+
+/// Viridis in nine steps. Smith, van der Walt, A Better Default Colormap for Matplotlib, SciPy 2015. Linear RGB.
+lumen::TransferFunction viridis(glm::vec2 range) {
+  static constexpr glm::vec3 srgb[] = {{.267f, .005f, .329f}, {.283f, .141f, .458f}, {.254f, .265f, .530f}, {.207f, .372f, .553f}, {.164f, .471f, .558f},
+                                       {.128f, .567f, .551f}, {.267f, .749f, .441f}, {.478f, .821f, .318f}, {.993f, .906f, .144f}};
+  static constexpr float places[] = {0, .125f, .25f, .375f, .5f, .61f, .78f, .87f, 1};
+  lumen::TransferFunction map{.range = range};
+  for (int i = 0; i < 9; ++i) map.points.push_back({glm::mix(range.x, range.y, places[i]), glm::vec4(glm::pow(srgb[i], glm::vec3(2.2f)), 1)});
+  return map;
+}
+
+struct Surface : lumen::Renderer {
+  using Renderer::Renderer;
+
+  lumen::Input<lumen::Mesh> mesh{this, "mesh", {.doc = "the triangles"}};
+  lumen::Property<glm::mat4> transform{this, "transform", glm::mat4(1), {.doc = "object to world"}};
+  lumen::Style style{this};
+  lumen::Property<lumen::Reference> splitter{this, "splitter", {}, {.doc = "cuts the surface in parts; none: whole", .group = "Shading", .accepts = "splitter"}};
+  lumen::Property<std::string> color_by{this, "color_by", {}, {.doc = "name of the array that gives the diffuse color; empty: the material's", .group = "Color by array"}};
+  lumen::Property<bool> colored{this, "colored", false, {.doc = "show the array's colors; follows color_by unless set", .group = "Color by array", .when = "color_by"}};
+  lumen::Property<lumen::TransferFunction> color_map{this, "color_map", viridis({0, 1}), {.doc = "value to color; spans the array's range unless set", .group = "Color by array", .when = "colored"}};
+
+  lumen::Bounds bounds() const override {
+    const auto data = mesh.get();
+    return data == nullptr ? lumen::Bounds{} : data->bounds().transformed(transform);
+  }
+  bool colors_itself() const override { return colored && attribute() != nullptr; }
+
+  void changed(std::string_view property) override {
+    if (property == "mesh" || property == "color_by") {
+      buffers_.reset();
+      choose_colors();
+    }
+  }
+  void released() override { buffers_.reset(); }
+
+  void draw(lumen::Draw& draw) override {
+    const auto data = mesh.get();
+    if (data == nullptr || data->triangles.empty()) return;
+    if (buffers_ == nullptr) buffers_ = std::make_unique<MeshBuffers>(*data, attribute());
+    for (int part = 0; part < int(draw.parts().size()); ++part) {
+      draw.use("renderer/surface.glsl", part);
+      buffers_->bind();
+      if (draw.identifies()) {  // one call, so that primitives are numbered through
+        glDrawElements(GL_TRIANGLES, GLsizei(buffers_->clusters().count * 3), GL_UNSIGNED_INT, nullptr);
+        continue;
+      }
+      visible_ranges(buffers_->clusters(), visibility(draw, draw.parts()[std::size_t(part)]), ranges_);
+      glMultiDrawElements(GL_TRIANGLES, ranges_.counts.data(), GL_UNSIGNED_INT, ranges_.offsets.data(), GLsizei(ranges_.counts.size()));
+    }
+  }
+
+ private:
+  const lumen::Attribute* attribute() const {
+    const auto data = mesh.get();
+    return data == nullptr || color_by->empty() ? nullptr : data->attribute(*color_by);
+  }
+
+  void choose_colors() {
+    const lumen::Attribute* chosen = attribute();
+    colored.set_default(chosen != nullptr);
+    if (chosen == nullptr) {
+      if (!color_by->empty() && mesh.get() != nullptr) report(lumen::Severity::warning, "the mesh has no array '" + *color_by + "'");
+      return;
+    }
+    const std::vector<float> values = shown_values(*chosen);
+    glm::vec2 range(std::numeric_limits<float>::infinity(), -std::numeric_limits<float>::infinity());
+    for (const float value : values)
+      if (std::isfinite(value)) range = {std::min(range.x, value), std::max(range.y, value)};
+    if (!(range.x < range.y)) range = std::isfinite(range.x) ? glm::vec2(range.x, range.x + 1) : glm::vec2(0, 1);
+    color_map.set_default(viridis(range));
+  }
+
+  Visibility visibility(const lumen::Draw& draw, const lumen::Part& part) const {
+    Visibility visible;
+    const glm::mat4 object_to_world = part.transform * transform.get();
+    const glm::mat4 rows = glm::transpose(draw.world_to_clip() * object_to_world);
+    for (int i = 0; i < 6; ++i) {
+      const glm::vec4 plane = i % 2 ? rows[3] - rows[i / 2] : rows[3] + rows[i / 2];
+      visible.planes[i] = plane / std::max(glm::length(glm::vec3(plane)), 1e-30f);
+    }
+    const glm::mat4 to_object = glm::inverse(object_to_world);
+    const glm::mat4 eye_to_world = glm::inverse(draw.camera().view);
+    visible.orthographic = draw.camera().orthographic;
+    visible.skip_backs = draw.front_suffices() && buffers_->clusters().solid && glm::determinant(glm::mat3(object_to_world)) > 0;
+    if (visible.orthographic) {
+      visible.eye = glm::normalize(glm::mat3(to_object) * glm::vec3(-eye_to_world[2]));
+    } else {
+      visible.eye = glm::vec3(to_object * eye_to_world[3]);
+      const lumen::Bounds box = mesh.get()->bounds();
+      const bool inside = glm::all(glm::greaterThan(visible.eye, box.min)) && glm::all(glm::lessThan(visible.eye, box.max));
+      visible.skip_backs = visible.skip_backs && !inside;  // from inside, back faces are what one sees
+    }
+    return visible;
+  }
+
+  std::unique_ptr<MeshBuffers> buffers_;
+  DrawRanges ranges_;
+};
+
+}  // namespace
+
+LUMEN_PLUGIN(Surface, "renderer.surface", "A triangle mesh as a lit surface, colored by its material or by an array through a color map.")
