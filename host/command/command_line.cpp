@@ -84,6 +84,9 @@ std::variant<CommandLine, std::string> parse_command_line(int argument_count, co
   WindowOptions window;
   std::vector<std::string> files;
   program.add_option("files", files, "a session (.json) or data files")->type_name("SESSION|DATA");
+  std::string window_size, script;
+  program.add_option("--size", window_size, "window size in pixels (default: 1440x900)")->type_name("WxH");
+  program.add_option("--script", script, "plays a person's steps from a JSON file, then leaves")->type_name("FILE");
 
   RawOptions raw;
   std::string output;
@@ -186,6 +189,8 @@ std::variant<CommandLine, std::string> parse_command_line(int argument_count, co
     line.command = std::move(fresh);
   } else {
     window.files = paths;
+    window.script = script;
+    if (!window_size.empty()) window.size = parse_size(window_size);
     line.command = std::move(window);
   }
   return line;
