@@ -3,12 +3,11 @@
 #include <cmath>
 #include <memory>
 
-#include <dlfcn.h>
-
 #include <nlohmann/json.hpp>
 
 #include "helper/probe_binding.h"
 #include "modules/handshake.h"
+#include "modules/load_library.h"
 
 namespace lumenshop {
 
@@ -62,12 +61,11 @@ void try_type(const lumen::PluginType& type, Json& description, Json& complaints
 std::string probe_library(const std::filesystem::path& library, int level, const std::function<void(const std::string&)>& stage) {
   const std::string name = library.filename().string();
   stage("loading");
-  void* const handle = ::dlopen(library.c_str(), RTLD_NOW | RTLD_LOCAL);
-  if (!handle) throw lumen::Error(name, ::dlerror());
+  void* const handle = load_library(library, name);
   Json result{{"types", Json::array()}, {"complaints", Json::array()}};
   if (level >= 2) {
     stage("reading its table");
-    const auto* const table = static_cast<const lumen::PluginTable*>(::dlsym(handle, "lumen_plugins"));
+    const auto* const table = static_cast<const lumen::PluginTable*>(find_symbol(handle, "lumen_plugins"));
     check_table(table, name);
     for (const lumen::PluginType* type = table->begin; type != table->end; ++type) {
       Json description{{"id", type->id}, {"doc", type->doc}, {"source", type->source}};

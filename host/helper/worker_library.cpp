@@ -2,9 +2,8 @@
 
 #include <algorithm>
 
-#include <dlfcn.h>
-
 #include "modules/handshake.h"
+#include "modules/load_library.h"
 
 namespace lumenshop {
 
@@ -14,9 +13,7 @@ WorkerLibrary::WorkerLibrary(const std::filesystem::path& folder, std::string mo
   });
   if (!well_formed) throw lumen::Error("worker module", "'" + module_ + "' is no module's name");
   const std::filesystem::path file = folder / (module_ + ".so");
-  void* const library = ::dlopen(file.c_str(), RTLD_NOW | RTLD_LOCAL);
-  if (!library) throw lumen::Error("worker module " + module_, ::dlerror());
-  table_ = static_cast<const lumen::WorkerTable*>(::dlsym(library, "lumen_worker"));
+  table_ = static_cast<const lumen::WorkerTable*>(find_symbol(load_library(file, "worker module " + module_), "lumen_worker"));
   if (!table_) throw lumen::Error("worker module " + module_, "it exports no lumen_worker");
   if (const std::string problem = abi_problem(table_->abi); !problem.empty()) throw lumen::Error("worker module " + module_, problem);
 }

@@ -3,11 +3,10 @@
 #include <algorithm>
 #include <set>
 
-#include <dlfcn.h>
-
 #include "modules/elf_file.h"
 #include "modules/generation_folder.h"
 #include "modules/handshake.h"
+#include "modules/load_library.h"
 #include "process/helper.h"
 
 namespace lumenshop {
@@ -55,14 +54,6 @@ class Overlay final : public PluginFactory {
   std::set<std::string> types_;
 };
 
-/// The loader's reason, in terms of the file that people know.
-std::string loader_reason(const std::filesystem::path& copy) {
-  const char* const reason = ::dlerror();
-  std::string text = reason ? reason : "it cannot be loaded";
-  if (const std::size_t at = text.find(copy.string() + ": "); at != std::string::npos) text.erase(at, copy.string().size() + 2);
-  return text;
-}
-
 std::vector<std::filesystem::path> libraries_in(const std::filesystem::path& folder) {
   std::vector<std::filesystem::path> files;
   std::error_code error;
@@ -109,9 +100,7 @@ std::unique_ptr<Module> Registry::load(const std::filesystem::path& file, bool p
         throw lumen::Error(text.starts_with(copy) ? name + ": " + text.substr(copy.size()) : text);
       }
     }
-    void* const library = ::dlopen(module->loaded.c_str(), RTLD_NOW | RTLD_LOCAL);
-    if (!library) throw lumen::Error(name, loader_reason(module->loaded));
-    module->table = static_cast<const lumen::PluginTable*>(::dlsym(library, "lumen_plugins"));
+    module->table = static_cast<const lumen::PluginTable*>(find_symbol(load_library(module->loaded, name), "lumen_plugins"));
     check_table(module->table, name);
   } catch (...) {
     std::error_code ignored;

@@ -48,6 +48,11 @@ class Binding {
 };
 
 class Plugin {
+  // First: the properties below reach for it while they are constructed.
+  Binding& binding_;
+  std::vector<const Reads*> reads_;
+  std::vector<const Writes*> writes_;
+
  public:
   explicit Plugin(Binding& binding);
   virtual ~Plugin();
@@ -76,9 +81,6 @@ class Plugin {
  private:
   friend class Reads;
   friend class Writes;
-  Binding& binding_;
-  std::vector<const Reads*> reads_;
-  std::vector<const Writes*> writes_;
 };
 
 /// While it lives, its owner's changed() hears of another instance's property.
