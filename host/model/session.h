@@ -57,6 +57,9 @@ class Session {
   void rename(const std::string& id, const std::string& to);       ///< links and references follow
   void set(const std::string& path, const Json& json);             ///< a value or {"link": ...}; throws lumen::Error
   void set(const std::string& path, lumen::Value value);           ///< through an identity link: sets the source
+  /// The same of a plain value: 0.5f, glm::vec3 ...
+  template <class T> requires requires { lumen::detail::Traits<T>::type; }
+  void set(const std::string& path, T value) { set(path, lumen::Value(std::move(value))); }
   void reset(const std::string& path);                             ///< un-sets it, its link too; of an orphan: forgets it
   void link(const std::string& path, const std::string& source, const std::string& expression = {});  ///< throws lumen::Error
   void unlink(const std::string& path);

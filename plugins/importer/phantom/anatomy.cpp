@@ -146,7 +146,7 @@ class BranchWall : public CrossSection {
  public:
   BranchWall(float ostium, int seed, float irregularity) : ostium_(ostium), irregularity_(seed, irregularity) {}
   float mean_radius(const CurveFrame& frame, float distance) const override {
-    const float away = std::max(0.0f, distance - ostium_) / frame.radius;
+    const float away = (distance - ostium_) / frame.radius;
     return frame.radius * (1 + 0.45f * std::exp(-away * away / 1.5f));
   }
   glm::vec2 evaluate(const CurveFrame& frame, float distance, std::span<const glm::vec2> directions, std::span<float> radii) const override {
@@ -207,10 +207,10 @@ Anatomy::Anatomy(const AnatomyOptions& options) {
       exit = glm::normalize(frame.forward + 0.55f * (branch.exit.x < 0 ? -1.0f : 1.0f) * glm::normalize(glm::vec3(1, 0, 0) - frame.forward.x * frame.forward));
     }
     const glm::vec3 then = glm::normalize(branch.then);
-    const float start = at_the_end ? -0.9f * frame.radius : 0.45f * frame.radius;
+    const glm::vec3 start = at_the_end ? -0.8f * frame.radius * frame.forward : 0.45f * frame.radius * exit;
     const float surface = at_the_end ? 0.4f * frame.radius : frame.radius;
     std::vector<glm::vec4> controls;
-    controls.emplace_back(frame.position + start * exit, branch.radius);
+    controls.emplace_back(frame.position + start, 0.9f * branch.radius);
     controls.emplace_back(frame.position + surface * exit, branch.radius);
     glm::vec3 position = frame.position + (surface + 0.3f * branch.length) * exit;
     controls.emplace_back(position, 0.96f * branch.radius);
