@@ -9,8 +9,9 @@
 #include <fcntl.h>
 #include <poll.h>
 #include <sys/epoll.h>
-#include <sys/pidfd.h>
+#include <sys/syscall.h>
 #include <sys/wait.h>
+#include <unistd.h>
 
 #include <nlohmann/json.hpp>
 
@@ -75,7 +76,7 @@ void Builder::spawn_build() {
   text_.clear();
   again_ = false;
   process_ = spawn({.arguments = description_.command, .folder = description_.build, .output = theirs.get(), .own_group = true});
-  exit_ = lumen::Descriptor(::pidfd_open(process_, 0));
+  exit_ = lumen::Descriptor(static_cast<int>(::syscall(SYS_pidfd_open, process_, 0)));
   join(events_, output_);
   join(events_, exit_);
 }

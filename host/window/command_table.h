@@ -12,7 +12,7 @@ struct Command {
   std::string id;                      ///< "session.save"
   std::string menu;                    ///< "File"; empty = in no menu
   std::string title;                   ///< "Save"
-  std::string keys;                    ///< "Ctrl+S", "F12", "Del"; empty = none
+  std::string keys = {};               ///< "Ctrl+S", "F12", "Del"; empty = none
   std::function<void()> run;
   std::function<bool()> enabled = {};  ///< empty = always
   std::function<bool()> checked = {};  ///< for switches

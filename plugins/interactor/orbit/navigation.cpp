@@ -62,14 +62,22 @@ Pose rolled(const Pose& pose, float degrees) {
 
 Pose fitted(const Pose& pose, const Lens& lens, const lumen::Bounds& bounds, float aspect) {
   if (bounds.empty()) return pose;
-  const float radius = bounds.radius() > 0 ? bounds.radius() : 1;
-  const float narrow = std::min(1.0f, std::max(aspect, 1e-3f));
-  const float vertical = glm::radians(lens.field_of_view) / 2;
-  const float half = std::min(vertical, std::atan(std::tan(vertical) * std::max(aspect, 1e-3f)));
   Pose moved = pose;
   moved.pivot = bounds.center();
-  moved.distance = margin * radius / std::sin(half);
-  moved.height = margin * 2 * radius / narrow;
+  const glm::vec3 half = 0.5f * (bounds.max - bounds.min);
+  const float slope = std::tan(glm::radians(lens.field_of_view) / 2);
+  const float width = std::max(aspect, 1e-3f);
+  float distance = 0, height = 0;
+  for (int corner = 0; corner < 8; ++corner) {
+    const glm::vec3 sign(corner & 1 ? 1 : -1, corner & 2 ? 1 : -1, corner & 4 ? 1 : -1);
+    const glm::vec3 eye = pose.rotation * (sign * half);
+    const float extent = margin * std::max(std::abs(eye.y), std::abs(eye.x) / width);
+    distance = std::max(distance, eye.z + extent / slope);
+    height = std::max(height, 2 * extent);
+  }
+  const float least = bounds.radius() > 0 ? 1e-3f * bounds.radius() : 1;
+  moved.distance = std::max(distance, least);
+  moved.height = std::max(height, least);
   return moved;
 }
 
