@@ -1,6 +1,6 @@
 /// Where the program's parts lie: relative to the executable, in a build tree as in an installation.
 ///   bin/lumenshop  lib/lumenshop/plugins/*.so  lib/lumenshop/workers/*.so  lib/lumenshop/lumenshop-helper
-///   share/lumenshop/shaders  share/lumenshop/sessions  share/lumenshop/build.json (build trees only)
+///   share/lumenshop/shaders  share/lumenshop/sessions  share/lumenshop/templates  share/lumenshop/build.json (build trees only)
 #pragma once
 
 #include <filesystem>
@@ -15,6 +15,7 @@ struct Installation {
   std::filesystem::path helper() const { return root / "lib/lumenshop/lumenshop-helper"; }
   std::filesystem::path shaders() const { return root / "share/lumenshop/shaders"; }
   std::filesystem::path sessions() const { return root / "share/lumenshop/sessions"; }
+  std::filesystem::path templates() const { return root / "share/lumenshop/templates"; }  ///< of `lumenshop new`
   std::filesystem::path build_description() const { return root / "share/lumenshop/build.json"; }
   static std::filesystem::path user_plugins();  ///< $XDG_DATA_HOME/lumenshop/plugins
   static std::filesystem::path user_config();   ///< $XDG_CONFIG_HOME/lumenshop

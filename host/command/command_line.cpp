@@ -75,15 +75,18 @@ std::variant<CommandLine, std::string> parse_command_line(int argument_count, co
   program.set_help_flag("-h,--help", "print this help");
   program.require_subcommand(0, 1);
 
-  std::vector<std::string> plugin_folders;
-  const auto add_plugin_folders = [&](CLI::App& command) {
-    command.add_option("--plugins", plugin_folders, "another folder of plugins; repeatable")->type_name("DIR")->allow_extra_args(false);
+  std::vector<std::string> plugin_folders, command_plugin_folders;  // before and after the command
+  const auto add_plugin_folders = [](CLI::App& command, std::vector<std::string>& folders) {
+    command.add_option("--plugins", folders, "another folder of plugins; repeatable")->type_name("DIR")->allow_extra_args(false);
   };
-  add_plugin_folders(program);
+  add_plugin_folders(program, plugin_folders);
 
   WindowOptions window;
   std::vector<std::string> files;
   program.add_option("files", files, "a session (.json) or data files")->type_name("SESSION|DATA");
+  std::string window_size, script;
+  program.add_option("--size", window_size, "window size in pixels (default: 1440x900)")->type_name("WxH");
+  program.add_option("--script", script, "plays a person's steps from a JSON file, then leaves")->type_name("FILE");
 
   RawOptions raw;
   std::string output;
@@ -138,7 +141,7 @@ std::variant<CommandLine, std::string> parse_command_line(int argument_count, co
   new_command.add_option("name", fresh.name, "lower case, as in my_toon")->type_name("NAME")->required();
   new_command.add_option("--dir", folder, "the source tree to write into (default: the one this program was built from)")->type_name("DIR");
 
-  for (CLI::App* command : program.get_subcommands({})) add_plugin_folders(*command);
+  for (CLI::App* command : program.get_subcommands({})) add_plugin_folders(*command, command_plugin_folders);
 
   try {
     program.parse(argument_count, arguments);
@@ -153,6 +156,7 @@ std::variant<CommandLine, std::string> parse_command_line(int argument_count, co
 
   CommandLine line;
   line.plugin_folders.assign(plugin_folders.begin(), plugin_folders.end());
+  line.plugin_folders.insert(line.plugin_folders.end(), command_plugin_folders.begin(), command_plugin_folders.end());
   const std::vector<std::filesystem::path> paths(files.begin(), files.end());
   if (render_command.parsed()) {
     render.files = paths;
@@ -185,6 +189,8 @@ std::variant<CommandLine, std::string> parse_command_line(int argument_count, co
     line.command = std::move(fresh);
   } else {
     window.files = paths;
+    window.script = script;
+    if (!window_size.empty()) window.size = parse_size(window_size);
     line.command = std::move(window);
   }
   return line;

@@ -32,6 +32,8 @@ struct FrameRange {
 
 struct WindowOptions {
   std::vector<std::filesystem::path> files;
+  glm::ivec2 size{1440, 900};                ///< pixels of the window
+  std::filesystem::path script;              ///< steps of a person to play (window/script.h); empty = none
 };
 
 struct RenderOptions {

@@ -63,7 +63,8 @@ Json type_json(const Description& description) {
     return json;
   }
   json["properties"] = Json::array();
-  for (const auto& slot : description.instance->slots()) json["properties"].push_back(property_json(slot->spec));
+  for (const auto& slot : description.instance->slots())
+    if (!slot->retracted) json["properties"].push_back(property_json(slot->spec));
   if (const lumen::Plugin* plugin = description.instance->plugin()) {
     for (const lumen::Reads* reads : plugin->reads()) json["reads"].push_back(reads->layer());
     for (const lumen::Writes* writes : plugin->writes()) json["writes"].push_back(writes->layer());
@@ -83,6 +84,7 @@ void print(const Description& description) {
   if (!description.instance) fmt::print("  cannot be made: {}\n", description.failure);
   else
     for (const auto& slot : description.instance->slots()) {
+      if (slot->retracted) continue;
       const lumen::PropertySpec& spec = slot->spec;
       std::string facts = type_text(spec);
       if (const std::string range = range_text(spec); !range.empty()) facts += ", " + range;

@@ -114,9 +114,7 @@ std::shared_ptr<lumen::Image> combined(const std::vector<std::pair<std::string, 
   std::vector<std::string> channels;
   for (const auto& [name, layer] : layers) {
     if (layer->width != first.width || layer->height != first.height) throw lumen::Error("layer " + name, "has another size than the others");
-    const Meaning meaning = meaning_of(name);
-    const char* suffixes = meaning == Meaning::depth ? "Z" : meaning == Meaning::direction || name == "position" ? "XYZ" : "RGBA";
-    for (std::size_t channel = 0; channel < layer->channels.size(); ++channel) channels.push_back(name + "." + suffixes[channel]);
+    for (const std::string& channel : layer->channels) channels.push_back(name + "." + channel);
   }
   const std::size_t count = std::size_t(first.width) * first.height;
   std::vector<float> pixels(count * channels.size());

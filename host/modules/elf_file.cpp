@@ -43,7 +43,7 @@ ElfFile::ElfFile(const std::filesystem::path& file) : file_(file) {
     const ssize_t got = ::read(descriptor.get(), bytes_.data() + done, bytes_.size() - done);
     if (got < 0 && errno == EINTR) continue;
     if (got < 0) fail(std::string("cannot be read: ") + std::strerror(errno));
-    if (got == 0) fail("is incomplete", "it is tried again when it changes");
+    if (got == 0) fail_incomplete();
     done += static_cast<std::size_t>(got);
   }
   struct stat after {};
@@ -53,17 +53,19 @@ ElfFile::ElfFile(const std::filesystem::path& file) : file_(file) {
 
 void ElfFile::fail(const std::string& what, const std::string& advice) const { throw lumen::Error(file_.filename().string(), what, advice); }
 
+void ElfFile::fail_incomplete() const { fail("is incomplete", "it is tried again when it changes"); }
+
 bool ElfFile::holds(std::uint64_t offset, std::uint64_t size) const { return offset <= bytes_.size() && size <= bytes_.size() - offset; }
 
 template <class T> T ElfFile::read(std::uint64_t offset) const {
-  if (!holds(offset, sizeof(T))) fail("is incomplete", "it is tried again when it changes");
+  if (!holds(offset, sizeof(T))) fail_incomplete();
   T value;
   std::memcpy(&value, bytes_.data() + offset, sizeof value);
   return value;
 }
 
 template <class T> std::vector<T> ElfFile::table(std::uint64_t offset, std::uint64_t count) const {
-  if (offset > bytes_.size() || count > (bytes_.size() - offset) / sizeof(T)) fail("is incomplete", "it is tried again when it changes");
+  if (offset > bytes_.size() || count > (bytes_.size() - offset) / sizeof(T)) fail_incomplete();
   std::vector<T> values(count);
   if (count != 0) std::memcpy(values.data(), bytes_.data() + offset, count * sizeof(T));
   return values;
@@ -75,18 +77,22 @@ void ElfFile::check() const {
   if (header.e_ident[EI_CLASS] != ELFCLASS64 || header.e_ident[EI_DATA] != ELFDATA2LSB || header.e_machine != machine) fail("is built for another machine");
   if (header.e_type != ET_DYN) fail("is no shared library");
   if (header.e_phentsize != sizeof(Elf64_Phdr) || header.e_shentsize != sizeof(Elf64_Shdr) || header.e_phnum == 0 || header.e_shnum == 0)
-    fail("is incomplete", "it is tried again when it changes");
+    fail_incomplete();
 
   const auto segments = table<Elf64_Phdr>(header.e_phoff, header.e_phnum);
   for (const Elf64_Phdr& segment : segments)
-    if (segment.p_type != PT_NULL && !holds(segment.p_offset, segment.p_filesz)) fail("is incomplete", "it is tried again when it changes");
+    if (segment.p_type != PT_NULL && !holds(segment.p_offset, segment.p_filesz)) fail_incomplete();
   // The linker writes the section table last in place: if it and all that it names is there, the file is whole.
   const auto sections = table<Elf64_Shdr>(header.e_shoff, header.e_shnum);
   bool loads = false;
   for (const Elf64_Phdr& segment : segments) loads = loads || segment.p_type == PT_DYNAMIC;
   for (const Elf64_Shdr& section : sections)
     if (section.sh_type != SHT_NULL && section.sh_type != SHT_NOBITS && !holds(section.sh_offset, section.sh_size))
-      fail("is incomplete", "it is tried again when it changes");
+      fail_incomplete();
+  // A file of full length may still have zeros for an end: the names of the sections tell.
+  if (header.e_shstrndx >= sections.size()) fail_incomplete();
+  const Elf64_Shdr& names = sections[header.e_shstrndx];
+  if (names.sh_type != SHT_STRTAB || names.sh_size < 2 || bytes_[names.sh_offset + 1] == std::byte(0)) fail_incomplete();
   if (!loads) fail("is no shared library");
 }
 

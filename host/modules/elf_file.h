@@ -27,6 +27,7 @@ class ElfFile {
   bool holds(std::uint64_t offset, std::uint64_t size) const;
   void check() const;
   [[noreturn]] void fail(const std::string& what, const std::string& advice = {}) const;
+  [[noreturn]] void fail_incomplete() const;
 
   std::filesystem::path file_;
   std::vector<std::byte> bytes_;

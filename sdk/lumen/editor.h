@@ -22,6 +22,7 @@ struct PropertyState {
 struct InstanceState {
   std::string id, type;
   Kind kind = Kind::view;
+  bool camera = false, light = false;  ///< interactors: what they can be to a view
   bool known = true;             ///< false: its plugin is not there; kept as it is
   bool enabled = true;
   int generation = 0;            ///< which build of its library it runs

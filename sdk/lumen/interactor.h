@@ -36,6 +36,7 @@ class ViewInput {
   virtual std::string instance_at(glm::vec2 pixel) = 0;  ///< id, or empty
   virtual bool blender_keys() const = 0;        ///< the person chose the Blender preset
   virtual double time() const = 0;              ///< seconds, steady
+  virtual bool reduced_motion() const { return false; }  ///< jumps do not ease
   /// Asks for another call of tick() in the next frame.
   virtual void animate() = 0;
 };

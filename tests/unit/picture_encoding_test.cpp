@@ -65,8 +65,8 @@ TEST(DisplayableLayers, NormalsAreHalvedAndDepthsLieInTheExtent) {
 }
 
 TEST(CombinedLayers, KeepTheirNamesAndValues) {
-  const auto all = combined({{"diffuse", image(2, 1, {"R", "G", "B"}, {1, 2, 3, 4, 5, 6})}, {"depth", image(2, 1, {"R"}, {7, INFINITY})},
-                             {"normal", image(2, 1, {"R", "G", "B"}, {0, 0, 1, 0, 1, 0})}});
+  const auto all = combined({{"diffuse", image(2, 1, {"R", "G", "B"}, {1, 2, 3, 4, 5, 6})}, {"depth", image(2, 1, {"Z"}, {7, INFINITY})},
+                             {"normal", image(2, 1, {"X", "Y", "Z"}, {0, 0, 1, 0, 1, 0})}});
   EXPECT_EQ(all->channels, (std::vector<std::string>{"diffuse.R", "diffuse.G", "diffuse.B", "depth.Z", "normal.X", "normal.Y", "normal.Z"}));
   EXPECT_FLOAT_EQ(all->pixels[3], 7);
   EXPECT_FLOAT_EQ(all->pixels[7], 4);

@@ -1,0 +1,120 @@
+#include "window/view_input.h"
+
+#include <algorithm>
+
+#include <lumen/renderer.h>
+
+#include "model/view.h"
+
+namespace lumenshop {
+
+using lumen::InputEvent;
+using lumen::Kind;
+
+std::vector<Instance*> ViewInputRouter::order() const {
+  std::vector<Instance*> order;
+  const Instance* instance = situation_.session->find(situation_.view);
+  const auto* view = instance ? instance->as<View>(Kind::view) : nullptr;
+  if (!view) return order;
+  const auto add = [&](const std::string& id) {
+    Instance* candidate = situation_.session->find(id);
+    const bool usable = candidate && candidate->enabled() && candidate->as<lumen::Interactor>(Kind::interactor);
+    if (usable && std::find(order.begin(), order.end(), candidate) == order.end()) order.push_back(candidate);
+  };
+  const std::string& camera = view->camera->id;
+  const auto& lights = view->lights->ids;
+  // Of several lights the selected one is meant.
+  if (std::find(lights.begin(), lights.end(), situation_.selection) != lights.end()) add(situation_.selection);
+  for (const std::string& id : view->interactors->ids)
+    if (id != camera) add(id);
+  for (const std::string& id : lights)
+    if (id != camera) add(id);
+  add(camera);
+  return order;
+}
+
+bool ViewInputRouter::ask(Instance& instance, const InputEvent& event) {
+  auto* interactor = instance.as<lumen::Interactor>(Kind::interactor);
+  asked_ = instance.id();
+  try {
+    return interactor->input(event, *this);
+  } catch (const std::exception& error) {
+    instance.report(lumen::Severity::error, std::string("input failed: ") + error.what());
+  }
+  return false;
+}
+
+bool ViewInputRouter::send(const InputEvent& event) {
+  if (!situation_.renderer) return false;
+  if (captured()) {
+    Instance* owner = situation_.session->find(captured_by_);
+    if (owner && owner->as<lumen::Interactor>(Kind::interactor)) ask(*owner, event);
+    if (event.type == InputEvent::Type::release || !owner) let_go();
+    return true;
+  }
+  const bool press = event.type == InputEvent::Type::press;
+  for (Instance* instance : order()) {
+    // Opened first: what a press does at once belongs to the drag's step.
+    if (press) situation_.session->begin_edit();
+    const bool claimed = ask(*instance, event);
+    if (claimed && press) captured_by_ = instance->id();
+    else if (press) situation_.session->end_edit();
+    if (claimed) return true;
+  }
+  return false;
+}
+
+void ViewInputRouter::let_go() {
+  if (!captured()) return;
+  captured_by_.clear();
+  situation_.session->end_edit();
+}
+
+bool ViewInputRouter::tick() {
+  const std::vector<std::string> moving = std::exchange(animated_, {});
+  for (const std::string& id : moving) {
+    Instance* instance = situation_.session->find(id);
+    auto* interactor = instance ? instance->as<lumen::Interactor>(Kind::interactor) : nullptr;
+    if (!interactor || !situation_.renderer) continue;
+    asked_ = id;
+    try {
+      interactor->tick(*this);
+    } catch (const std::exception& error) {
+      instance->report(lumen::Severity::error, std::string("animation failed: ") + error.what());
+    }
+  }
+  return animating();
+}
+
+void ViewInputRouter::animate() {
+  if (std::find(animated_.begin(), animated_.end(), asked_) == animated_.end()) animated_.push_back(asked_);
+}
+
+lumen::Bounds ViewInputRouter::selection() const {
+  const Instance* instance = situation_.session->find(situation_.selection);
+  const auto* renderer = instance ? instance->as<lumen::Renderer>(Kind::renderer) : nullptr;
+  const lumen::Bounds bounds = renderer ? renderer->bounds() : lumen::Bounds{};
+  return bounds.empty() ? scene() : bounds;
+}
+
+ViewRenderer::Hit ViewInputRouter::hit(glm::vec2 pixel) {
+  // The renderer may be at a lower resolution while something moves.
+  const glm::vec2 scale = glm::vec2(situation_.renderer->size()) / glm::vec2(situation_.size);
+  const glm::ivec2 last = situation_.renderer->size() - 1;
+  return situation_.renderer->pick(glm::clamp(glm::ivec2(pixel * scale), glm::ivec2(0), last));
+}
+
+std::optional<glm::vec3> ViewInputRouter::surface_at(glm::vec2 pixel) {
+  const auto under = hit(pixel);
+  if (under.instance == 0) return std::nullopt;
+  return under.position;
+}
+
+std::string ViewInputRouter::instance_at(glm::vec2 pixel) {
+  const int number = hit(pixel).instance;
+  for (const auto& plugin : situation_.session->plugins())
+    if (number > 0 && plugin->number() == number) return plugin->id();
+  return {};
+}
+
+}  // namespace lumenshop

@@ -1,0 +1,60 @@
+/// Takes the events of a view to its interactors: the first that claims one has it, the camera is asked last.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include <lumen/interactor.h>
+
+#include "frame/view_renderer.h"
+#include "window/layout.h"
+
+namespace lumenshop {
+
+class ViewInputRouter final : public lumen::ViewInput {
+ public:
+  struct Situation {
+    Session* session = nullptr;
+    ViewRenderer* renderer = nullptr;
+    std::string view;             ///< id
+    std::string selection;        ///< id or empty
+    glm::ivec2 size{1};           ///< pixels of the view, whatever the renderer's resolution
+    double time = 0;
+    bool blender_keys = false, reduced_motion = false;
+  };
+  /// The state of the frame that the following calls are in.
+  void begin(Situation situation) { situation_ = std::move(situation); }
+
+  /// True if an interactor claimed it. A claimed press is an open edit until its release.
+  bool send(const lumen::InputEvent& event);
+  bool captured() const { return !captured_by_.empty(); }
+  /// Lets go of a drag whose release was lost; its edit ends.
+  void let_go();
+  /// Calls tick() of those that asked for it. True if one still moves.
+  bool tick();
+  bool animating() const { return !animated_.empty(); }
+
+  // lumen::ViewInput
+  glm::ivec2 size() const override { return situation_.size; }
+  const lumen::Camera& camera() const override { return situation_.renderer->camera(); }
+  lumen::Bounds scene() const override { return situation_.renderer->scene_bounds(); }
+  lumen::Bounds selection() const override;
+  std::optional<glm::vec3> surface_at(glm::vec2 pixel) override;
+  std::string instance_at(glm::vec2 pixel) override;
+  bool blender_keys() const override { return situation_.blender_keys; }
+  double time() const override { return situation_.time; }
+  bool reduced_motion() const override { return situation_.reduced_motion; }
+  void animate() override;
+
+ private:
+  std::vector<Instance*> order() const;
+  bool ask(Instance& instance, const lumen::InputEvent& event);
+  ViewRenderer::Hit hit(glm::vec2 pixel);
+
+  Situation situation_;
+  std::string captured_by_;               ///< an id: the object may be replaced by a reload
+  std::string asked_;                     ///< whose call this is
+  std::vector<std::string> animated_;
+};
+
+}  // namespace lumenshop

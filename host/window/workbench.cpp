@@ -1,0 +1,165 @@
+#include "window/workbench.h"
+
+#include <algorithm>
+#include <limits>
+
+#include <nlohmann/json.hpp>
+
+#include <lumen/interactor.h>
+
+#include "model/json_value.h"
+#include "window/open_editor.h"
+
+namespace lumenshop {
+namespace {
+
+constexpr double loaded_seconds = 3;
+constexpr std::size_t longest_orphan = 200;
+
+}  // namespace
+
+SessionWorkbench::SessionWorkbench(Workshop& workshop, std::function<void(const std::string&)> notice)
+    : workshop_(workshop), notice_(std::move(notice)) {
+  for (TypeInfo& type : workshop_.registry().types()) types_[type.id] = type;
+}
+
+template <class Action>
+void SessionWorkbench::attempt(Action action) {
+  try {
+    action();
+  } catch (const lumen::Error& error) {
+    notice_(error.what());
+  }
+}
+
+void SessionWorkbench::reloaded(const ReloadEvent& event, double now) {
+  types_.clear();
+  for (TypeInfo& type : workshop_.registry().types()) types_[type.id] = type;
+  switch (event.state) {
+    case BuildState::loaded: badges_[event.library] = {"loaded", now + loaded_seconds}; break;
+    case BuildState::kept: badges_[event.library] = {"kept " + std::to_string(event.generation), 0}; break;
+    case BuildState::building: badges_[event.library] = {"building", 0}; break;
+    case BuildState::idle: badges_.erase(event.library); break;
+  }
+}
+
+void SessionWorkbench::tick(double now) {
+  std::erase_if(badges_, [&](const auto& entry) { return entry.second.until > 0 && entry.second.until <= now; });
+}
+
+double SessionWorkbench::next_tick() const {
+  double next = 0;
+  for (const auto& [library, badge] : badges_)
+    if (badge.until > 0) next = next > 0 ? std::min(next, badge.until) : badge.until;
+  return next;
+}
+
+std::string SessionWorkbench::badge_of(const std::string& type) const {
+  const auto info = types_.find(type);
+  if (info == types_.end()) return {};
+  const auto badge = badges_.find(info->second.library.stem().string());
+  return badge == badges_.end() ? std::string() : badge->second.text;
+}
+
+lumen::InstanceState SessionWorkbench::state_of(const Instance& instance) const {
+  lumen::InstanceState state;
+  state.id = instance.id();
+  state.type = instance.type();
+  state.kind = instance.kind();
+  state.known = instance.plugin() != nullptr;
+  state.enabled = instance.enabled();
+  state.generation = instance.generation();
+  state.badge = badge_of(instance.type());
+  if (const auto* interactor = instance.as<lumen::Interactor>(lumen::Kind::interactor)) {
+    state.camera = interactor->is_camera();
+    state.light = interactor->is_light();
+  }
+  if (const auto info = types_.find(instance.type()); info != types_.end()) {
+    state.doc = info->second.doc;
+    state.source = info->second.source;
+  }
+  for (const auto& slot : instance.slots()) {
+    const auto* data = std::get_if<lumen::DataPointer>(&slot->effective);
+    if (slot->spec.output && data && *data && state.summary.empty()) state.summary = (*data)->summary();
+  }
+  for (const auto& [name, json] : instance.orphans().items())
+    state.orphans.push_back(name + ": " + json.dump(-1, ' ', false, Json::error_handler_t::replace).substr(0, longest_orphan));
+  return state;
+}
+
+std::vector<lumen::InstanceState> SessionWorkbench::instances() const {
+  std::vector<lumen::InstanceState> states;
+  for (const auto& view : session().views()) states.push_back(state_of(*view));
+  for (const auto& plugin : session().plugins()) states.push_back(state_of(*plugin));
+  return states;
+}
+
+std::vector<lumen::PropertyState> SessionWorkbench::properties(const std::string& id) const {
+  std::vector<lumen::PropertyState> states;
+  const Instance* instance = session().find(id);
+  if (!instance) return states;
+  const auto& slots = instance->slots();
+  for (std::size_t slot = 0; slot < slots.size(); ++slot)
+    if (!slots[slot]->retracted) states.push_back(session().state(*instance, static_cast<int>(slot)));
+  return states;
+}
+
+std::optional<lumen::PropertyState> SessionWorkbench::property(const std::string& path) const {
+  const auto dot = path.find('.');
+  if (dot == std::string::npos) return std::nullopt;
+  const Instance* instance = session().find(path.substr(0, dot));
+  const int slot = instance ? instance->slot_of(path.substr(dot + 1)) : -1;
+  if (slot < 0) return std::nullopt;
+  return session().state(*instance, slot);
+}
+
+void SessionWorkbench::set(const std::string& path, lumen::Value value) {
+  attempt([&] { session().set(path, std::move(value)); });
+}
+void SessionWorkbench::reset(const std::string& path) {
+  attempt([&] { session().reset(path); });
+}
+void SessionWorkbench::begin_edit() { session().begin_edit(); }
+void SessionWorkbench::end_edit() { session().end_edit(); }
+void SessionWorkbench::cancel_edit() { session().cancel_edit(); }
+
+void SessionWorkbench::link(const std::string& path, const std::string& source, const std::string& expression) {
+  session().link(path, source, expression);
+}
+void SessionWorkbench::unlink(const std::string& path) {
+  attempt([&] { session().unlink(path); });
+}
+std::vector<std::string> SessionWorkbench::linkable(const std::string& path) const { return session().linkable(path); }
+
+std::string SessionWorkbench::to_json(const lumen::Value& value) const {
+  return lumenshop::to_json(value).dump(-1, ' ', false, Json::error_handler_t::replace);
+}
+
+lumen::Value SessionWorkbench::from_json(const std::string& path, const std::string& text) const {
+  const auto [instance, slot] = session().resolve(path);
+  Json json = Json::parse(text, nullptr, false);
+  if (json.is_discarded()) json = text;  // a plain text is what a person pastes into a string
+  return lumenshop::from_json(json, instance->spec(slot));
+}
+
+std::string SessionWorkbench::selection() const { return session().find(selection_) ? selection_ : std::string(); }
+void SessionWorkbench::select(const std::string& instance) { selection_ = instance; }
+
+std::vector<lumen::Problem> SessionWorkbench::problems() const {
+  auto problems = workshop_.problems();
+  if (reloader_) {
+    const auto more = reloader_->problems();
+    problems.insert(problems.end(), more.begin(), more.end());
+  }
+  // Two parts of the program may name the same thing.
+  std::vector<lumen::Problem> unique;
+  for (lumen::Problem& problem : problems)
+    if (std::find(unique.begin(), unique.end(), problem) == unique.end()) unique.push_back(std::move(problem));
+  return unique;
+}
+
+void SessionWorkbench::open_source(const std::string& file, int line) {
+  attempt([&] { open_in_editor(file, line); });
+}
+
+}  // namespace lumenshop

@@ -1,0 +1,66 @@
+/// The open session as panels see it.
+#pragma once
+
+#include <functional>
+#include <map>
+#include <string>
+
+#include <lumen/editor.h>
+
+#include "modules/reloader.h"
+#include "workshop.h"
+
+namespace lumenshop {
+
+class SessionWorkbench final : public lumen::Workbench {
+ public:
+  /// `notice` shows what was refused.
+  SessionWorkbench(Workshop& workshop, std::function<void(const std::string&)> notice);
+
+  void set_scale(float scale) { scale_ = scale; }
+  void set_reduced_motion(bool on) { reduced_motion_ = on; }
+  void set_reloader(const Reloader* reloader) { reloader_ = reloader; }
+  /// Badges of what was just loaded or kept. `now` in seconds, steady. The badge "loaded" goes after three seconds.
+  void reloaded(const ReloadEvent& event, double now);
+  void tick(double now);                 ///< lets old badges go
+  double next_tick() const;              ///< when tick() has something to do; 0 = never
+
+  // lumen::Workbench
+  std::vector<lumen::InstanceState> instances() const override;
+  std::vector<lumen::PropertyState> properties(const std::string& instance) const override;
+  std::optional<lumen::PropertyState> property(const std::string& path) const override;
+  void set(const std::string& path, lumen::Value value) override;
+  void reset(const std::string& path) override;
+  void begin_edit() override;
+  void end_edit() override;
+  void cancel_edit() override;
+  void link(const std::string& path, const std::string& source, const std::string& expression) override;
+  void unlink(const std::string& path) override;
+  std::vector<std::string> linkable(const std::string& path) const override;
+  std::string to_json(const lumen::Value& value) const override;
+  lumen::Value from_json(const std::string& path, const std::string& json) const override;
+  std::string selection() const override;
+  void select(const std::string& instance) override;
+  std::vector<lumen::Problem> problems() const override;
+  void open_source(const std::string& file, int line) override;
+  float scale() const override { return scale_; }
+  bool reduced_motion() const override { return reduced_motion_; }
+
+ private:
+  struct Badge { std::string text; double until = 0; };  ///< until 0 = stays
+  Session& session() const { return workshop_.session(); }
+  lumen::InstanceState state_of(const Instance& instance) const;
+  std::string badge_of(const std::string& type) const;
+  template <class Action> void attempt(Action action);
+
+  Workshop& workshop_;
+  std::function<void(const std::string&)> notice_;
+  const Reloader* reloader_ = nullptr;
+  float scale_ = 1;
+  bool reduced_motion_ = false;
+  std::string selection_;
+  std::map<std::string, Badge> badges_;            ///< by library
+  std::map<std::string, TypeInfo> types_;          ///< as the registry has them, since the last reload
+};
+
+}  // namespace lumenshop

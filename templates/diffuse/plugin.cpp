@@ -1,0 +1,15 @@
+/// Diffuse light in steps. Lake, Marshall, Harris, Blackstein, NPAR 2000.
+
+#include <lumen/term.h>
+
+namespace {
+
+struct Plugin : lumen::Diffuse {
+  using Diffuse::Diffuse;
+
+  lumen::Property<int> steps{this, "steps", 4, {.min = 1, .max = 32, .doc = "levels between dark and lit"}};
+};
+
+}  // namespace
+
+LUMEN_PLUGIN(Plugin, "diffuse.@name@", "Diffuse light in steps. Lake et al., NPAR 2000.")

@@ -1,0 +1,139 @@
+/// The peer of `lumenshop bench`: draws a mesh off screen with VTK, the camera turned by half a degree each frame.
+///   vtk-peer FILE WIDTH HEIGHT FRAMES [--ssao]
+/// Prints the quartiles of a frame in milliseconds and the peak memory as JSON. Debian's VTK needs an X server: xvfb-run.
+#include <algorithm>
+#include <chrono>
+#include <cstdio>
+#include <cstdlib>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include <sys/resource.h>
+
+#include <vtkActor.h>
+#include <vtkCamera.h>
+#include <vtkLight.h>
+#include <vtkNew.h>
+#include <vtkOBJReader.h>
+#include <vtkPLYReader.h>
+#include <vtkPolyData.h>
+#include <vtkPolyDataMapper.h>
+#include <vtkPolyDataNormals.h>
+#include <vtkPolyDataReader.h>
+#include <vtkProperty.h>
+#include <vtkRenderStepsPass.h>
+#include <vtkRenderWindow.h>
+#include <vtkRenderer.h>
+#include <vtkSSAOPass.h>
+#include <vtkSTLReader.h>
+#include <vtkSmartPointer.h>
+#include <vtkXMLPolyDataReader.h>
+
+namespace {
+
+template <class Reader>
+vtkSmartPointer<vtkPolyData> read_with(const std::string& file) {
+  vtkNew<Reader> reader;
+  reader->SetFileName(file.c_str());
+  reader->Update();
+  return reader->GetOutput();
+}
+
+vtkSmartPointer<vtkPolyData> read(const std::string& file) {
+  const auto is = [&](const char* extension) { return file.ends_with(extension); };
+  auto mesh = is(".vtp")   ? read_with<vtkXMLPolyDataReader>(file)
+              : is(".vtk") ? read_with<vtkPolyDataReader>(file)
+              : is(".stl") ? read_with<vtkSTLReader>(file)
+              : is(".obj") ? read_with<vtkOBJReader>(file)
+                           : read_with<vtkPLYReader>(file);
+  if (!mesh || mesh->GetNumberOfCells() == 0) throw std::runtime_error(file + ": no cells");
+  vtkNew<vtkPolyDataNormals> normals;
+  normals->SetInputData(mesh);
+  normals->SplittingOff();
+  normals->ConsistencyOff();
+  normals->Update();
+  return normals->GetOutput();
+}
+
+void add_light(vtkRenderer* renderer, double x, double y, double z, double intensity) {
+  vtkNew<vtkLight> light;
+  light->SetPosition(x, y, z);
+  light->SetFocalPoint(0, 0, 0);
+  light->SetPositional(false);
+  light->SetIntensity(intensity);
+  renderer->AddLight(light);
+}
+
+double at(const std::vector<double>& sorted, double fraction) { return sorted[std::size_t(fraction * double(sorted.size() - 1) + 0.5)]; }
+
+int run(const std::string& file, int width, int height, int frames, bool ssao) {
+  const auto mesh = read(file);
+  vtkNew<vtkPolyDataMapper> mapper;
+  mapper->SetInputData(mesh);
+  mapper->ScalarVisibilityOff();
+  vtkNew<vtkActor> actor;
+  actor->SetMapper(mapper);
+  actor->GetProperty()->SetInterpolationToPhong();
+  actor->GetProperty()->SetDiffuseColor(0.72, 0.04, 0.05);
+  actor->GetProperty()->SetSpecular(0.3);
+  actor->GetProperty()->SetSpecularPower(40);
+
+  vtkNew<vtkRenderer> renderer;
+  renderer->AddActor(actor);
+  renderer->AutomaticLightCreationOff();
+  add_light(renderer, 0.3, 0.4, 1, 1);
+  add_light(renderer, -0.3, -0.2, -1, 0.4);
+  if (ssao) {
+    vtkNew<vtkRenderStepsPass> steps;
+    vtkNew<vtkSSAOPass> pass;
+    pass->SetDelegatePass(steps);
+    pass->SetKernelSize(32);
+    pass->SetRadius(0.05 * mesh->GetLength() / 2);
+    pass->BlurOn();
+    renderer->SetPass(pass);
+  }
+
+  vtkNew<vtkRenderWindow> window;
+  window->SetOffScreenRendering(true);
+  window->SetMultiSamples(0);
+  window->SetSize(width, height);
+  window->AddRenderer(renderer);
+  renderer->GetActiveCamera()->SetViewAngle(30);
+  renderer->ResetCamera();
+
+  const auto draw = [&](int frame) {
+    renderer->GetActiveCamera()->Azimuth(frame % 40 < 20 ? 0.5 : -0.5);
+    renderer->ResetCameraClippingRange();
+    window->Render();
+    window->WaitForCompletion();
+  };
+  for (int frame = 0; frame < 4; ++frame) draw(frame);
+  std::vector<double> samples;
+  for (int frame = 0; frame < frames; ++frame) {
+    const auto begin = std::chrono::steady_clock::now();
+    draw(frame);
+    samples.push_back(std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - begin).count());
+  }
+  std::sort(samples.begin(), samples.end());
+  rusage usage{};
+  getrusage(RUSAGE_SELF, &usage);
+  std::printf("{\"frame\": {\"first_quartile_ms\": %.3f, \"median_ms\": %.3f, \"third_quartile_ms\": %.3f}, \"triangles\": %lld, \"peak_memory_bytes\": %lld}\n",
+              at(samples, 0.25), at(samples, 0.5), at(samples, 0.75), static_cast<long long>(mesh->GetNumberOfCells()), 1024LL * usage.ru_maxrss);
+  return 0;
+}
+
+}  // namespace
+
+int main(int argument_count, char** arguments) {
+  if (argument_count < 5) {
+    std::fputs("usage: vtk-peer FILE WIDTH HEIGHT FRAMES [--ssao]\n", stderr);
+    return 2;
+  }
+  try {
+    return run(arguments[1], std::atoi(arguments[2]), std::atoi(arguments[3]), std::atoi(arguments[4]), argument_count > 5);
+  } catch (const std::exception& error) {
+    std::fprintf(stderr, "vtk-peer: %s\n", error.what());
+    return 1;
+  }
+}

@@ -1,0 +1,10 @@
+# Writes, builds and tests one plugin. Variables: PROGRAM, KIND, FOLDER (replaced).
+file(REMOVE_RECURSE ${FOLDER})
+file(MAKE_DIRECTORY ${FOLDER})
+function(run)
+  execute_process(COMMAND ${ARGN} WORKING_DIRECTORY ${FOLDER} COMMAND_ERROR_IS_FATAL ANY)
+endfunction()
+run(${PROGRAM} new ${KIND} my_trial --dir ${FOLDER})
+run(${CMAKE_COMMAND} -S my_trial -B built -G Ninja)
+run(${CMAKE_COMMAND} --build built)
+run(${CMAKE_CTEST_COMMAND} --test-dir built --output-on-failure)
