@@ -89,7 +89,7 @@ int run_new(const NewOptions& options) {
 
   Path sources;  // those that this program was built from; empty in an installation
   if (std::ifstream description(installation.build_description()); description) {
-    const Json json = Json::parse(description, nullptr, false);
+    const auto json = nlohmann::json::parse(description, nullptr, false);
     if (json.is_object()) sources = json.value("sources", std::string());
   }
   const Path folder = options.folder.empty() ? (sources.empty() ? std::filesystem::current_path() : sources) : std::filesystem::absolute(options.folder);

@@ -56,8 +56,8 @@ void Session::load_data(const std::vector<std::filesystem::path>& files, const s
 
   Json lights = Json::array(), interactors = Json::array(), compositors = Json::array();
   const bool camera = put("camera", "interactor.orbit");
-  if (put("front", "interactor.light", object_of({{"direction", direction(-0.35, -1, 0.55)}}))) {
-    put("back", "interactor.light", object_of({{"direction", direction(0.6, 0.7, 0.4)}, {"intensity", 0.35}}));
+  if (put("front", "interactor.light", object_of({{"direction", direction(0.35, -1, 0.6)}, {"intensity", 0.8}}))) {
+    put("back", "interactor.light", object_of({{"direction", direction(-0.5, 1, 0.2)}, {"intensity", 0.35}}));
     lights = {"front", "back"};
     interactors.push_back("front");
   }

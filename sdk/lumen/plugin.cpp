@@ -51,7 +51,7 @@ Style::Style(Plugin* owner)
       diffuse(owner, "diffuse", {}, {.doc = "diffuse term; none: no diffuse light", .group = "Shading", .accepts = "diffuse", .affects = Affects::shading}),
       specular(owner, "specular", {}, {.doc = "specular term; none: no highlights", .group = "Shading", .accepts = "specular", .affects = Affects::shading}),
       opacity(owner, "opacity", {}, {.doc = "opacity term; none: opaque", .group = "Shading", .accepts = "opacity"}),
-      ambient_color(owner, "ambient_color", Color(0.18f, 0.012f, 0.014f), {.min = 0, .max = 1, .doc = "material color of the ambient term", .group = "Material", .affects = Affects::shading}),
+      ambient_color(owner, "ambient_color", Color(0.3f, 0.0166f, 0.0211f), {.min = 0, .max = 1, .doc = "material color of the ambient term", .group = "Material", .affects = Affects::shading}),
       diffuse_color(owner, "diffuse_color", Color(0.715694f, 0.039546f, 0.050371f), {.min = 0, .max = 1, .doc = "material color of the diffuse term", .group = "Material", .affects = Affects::shading}),
       specular_color(owner, "specular_color", Color(0.3f, 0.3f, 0.3f), {.min = 0, .max = 1, .doc = "material color of the specular term", .group = "Material", .affects = Affects::shading}),
       shininess(owner, "shininess", 40.0f, {.min = 0.1, .max = 1000, .doc = "exponent of the specular term", .group = "Material", .logarithmic = true, .affects = Affects::shading}) {}

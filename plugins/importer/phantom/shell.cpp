@@ -31,6 +31,9 @@ void Shell::append(const Shell& other) {
 std::shared_ptr<lumen::Mesh> mesh_of(Shell shell, const std::string& origin) {
   auto mesh = std::make_shared<lumen::Mesh>();
   mesh->origin = origin;
+  // The anatomy is modeled with y upward and the front toward +z; patients stand with z upward and face -y.
+  for (auto* vectors : {&shell.positions, &shell.normals})
+    for (glm::vec3& v : *vectors) v = {v.x, -v.z, v.y};
   mesh->positions = std::move(shell.positions);
   mesh->normals = std::move(shell.normals);
   mesh->triangles = std::move(shell.triangles);
