@@ -14,6 +14,7 @@
 
 #include "command/commands.h"
 #include "installation.h"
+#include "model/json_value.h"
 
 namespace lumenshop {
 namespace {

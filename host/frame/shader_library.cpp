@@ -45,7 +45,7 @@ const GlslFile& ShaderLibrary::file(const std::string& name) {
 
 std::uint64_t ShaderLibrary::revision(const std::string& name) {
   const auto found = files_.find(name);
-  return found == files_.end() ? 0 : found->second.revision + lib_changes_;
+  return (found == files_.end() ? 1 : found->second.revision) + lib_changes_;
 }
 
 Program* ShaderLibrary::program(const std::string& slot, std::uint64_t signature,

@@ -31,7 +31,7 @@ class ShaderLibrary {
   /// Throws lumen::Error if it is nowhere, longer than 1 MiB or cannot be taken apart.
   const GlslFile& file(const std::string& name);
   bool exists(const std::string& name);
-  /// Grows with every change of the file, or of any file of lib/; 0 for files that are nowhere.
+  /// Grows with every change of the file, or of any file of lib/ and host/.
   std::uint64_t revision(const std::string& name);
   /// Grows with every change of any file.
   std::uint64_t revision() const { return changes_; }

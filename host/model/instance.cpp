@@ -131,7 +131,7 @@ std::vector<lumen::Problem> Instance::problems() const {
     declared.push_back(slot.spec.id);
     session_.graph_.refresh(*slots()[index]);
     if (const std::string error = session_.error_of(slot); !error.empty())
-      add(lumen::Severity::error, error.rfind(path_of(slot), 0) == 0 ? error : path_of(slot) + ": " + error);
+      add(lumen::Severity::error, path_of(slot) + ": " + error);
   }
   if (plugin_)
     for (const auto& [property, json] : orphans().items()) {

@@ -126,26 +126,25 @@ Slot& LinkGraph::write_target(Slot& first) const {
   return *slot;
 }
 
-std::string LinkGraph::cycle(Slot& target, Slot& first) const {
-  std::string path = path_of(target);
+bool LinkGraph::closes_cycle(const Slot& target, Slot& first) const {
   std::unordered_set<const Slot*> seen;
-  for (Slot* slot = &first; slot; slot = source(*slot)) {
-    path += " -> " + path_of(*slot);
-    if (slot == &target) return path;
-    if (!seen.insert(slot).second) return {};  // an older circle that the target is not in
-  }
-  return {};
+  for (Slot* slot = &first; slot && seen.insert(slot).second; slot = source(*slot))
+    if (slot == &target) return true;
+  return false;  // also where the chain ends in an older circle that the target is not in
 }
 
-bool LinkGraph::fits(Slot& target, Slot& source) const {
-  return misfit(source.spec, target.spec, false).empty() && cycle(target, source).empty();
+bool LinkGraph::fits(const Slot& target, Slot& source) const {
+  return misfit(source.spec, target.spec, false).empty() && !closes_cycle(target, source);
 }
 
-void LinkGraph::check(Slot& target, Slot& source, bool by_expression) const {
+void LinkGraph::check(const Slot& target, Slot& source, bool by_expression) const {
   if (const std::string why = misfit(source.spec, target.spec, by_expression); !why.empty())
     throw lumen::Error(path_of(target), "cannot be linked to " + path_of(source) + ": " + why);
-  if (const std::string path = cycle(target, source); !path.empty())
-    throw lumen::Error(path_of(target), "cannot be linked to " + path_of(source) + ", it would drive itself: " + path);
+  if (!closes_cycle(target, source)) return;
+  std::string path = path_of(target);
+  for (Slot* slot = &source; slot != &target; slot = this->source(*slot)) path += " -> " + path_of(*slot);
+  path += " -> " + path_of(target);
+  throw lumen::Error(path_of(target), "cannot be linked to " + path_of(source) + ", it would drive itself: " + path);
 }
 
 Value converted_back(const Value& value, const Slot& source) {

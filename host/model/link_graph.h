@@ -27,23 +27,26 @@ class LinkGraph {
 
   /// `effective`, `revision` and `error` of a linked slot are up to date after it.
   void refresh(Slot& slot) const {
-    if (slot.link && slot.followed.checked_at != values_) follow_chain(slot);
+    if (slot.link && slot.followed.checked_at != values_ && !paused_) follow_chain(slot);
   }
+  /// While a file's instances are made one by one no link is followed: what a constructor reads does not depend on their
+  /// order, and chains are not walked again for each.
+  void pause(bool on) { paused_ = on; }
   /// What drives the slot; null if there is no link, or its source is not there.
   Slot* source(Slot& slot) const;
   /// The slot that a write to this one sets, at the end of identity links. Throws lumen::Error naming both.
   Slot& write_target(Slot& slot) const;
-  /// Throws lumen::Error if `source` cannot drive `target`: not convertible, another kind of data, an output, a cycle (its path named).
-  void check(Slot& target, Slot& source, bool by_expression) const;
-  /// "a.x -> b.y -> a.x" if `source` driving `target` closes a cycle; else empty.
-  std::string cycle(Slot& target, Slot& source) const;
-  /// The same without the cycle's text or a throw: for lists of what can be linked.
-  bool fits(Slot& target, Slot& source) const;
+  /// Throws lumen::Error if `source` cannot drive `target`: not convertible, another kind of data, an output, a cycle ("a.x -> b.y -> a.x").
+  void check(const Slot& target, Slot& source, bool by_expression) const;
+  /// The same as a question: for lists of what can be linked.
+  bool fits(const Slot& target, Slot& source) const;
 
  private:
   const Session& session_;
   std::uint64_t values_ = 1, structure_ = 1;
+  bool paused_ = false;
 
+  bool closes_cycle(const Slot& target, Slot& source) const;
   void follow_chain(Slot& slot) const;
   void follow(Slot& slot) const;
 };

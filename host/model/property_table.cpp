@@ -56,6 +56,13 @@ Link link_of(const Json& json, const std::string& where) {
   return link;
 }
 
+/// The message alone: whoever shows it names the property.
+std::string without_place(const std::string& message, const Slot& slot) {
+  for (const std::string& place : {path_of(slot) + ": ", slot.spec.id + ": "})
+    if (message.rfind(place, 0) == 0) return message.substr(place.size());
+  return message;
+}
+
 bool is_link(const Json& json) { return json.is_object() && json.contains("link"); }
 
 bool has_value(const Slot& slot) { return slot.set || slot.link || !slot.unresolved.is_null(); }
@@ -320,7 +327,7 @@ void PropertyTable::apply(Slot& slot, const Json& json, const std::filesystem::p
   } catch (const lumen::Error& error) {
     slot.own = slot.spec.default_value;
     slot.unresolved = json;
-    slot.error = error.what();
+    slot.error = without_place(error.what(), slot);
   }
   if (!slot.spec.output) show(slot, slot.own);
 }

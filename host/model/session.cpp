@@ -157,6 +157,9 @@ Instance& Session::insert(const std::string& id, const Json& json, int position,
 }
 
 void Session::erase(Instance& instance) {
+  // What it drives keeps the value that it has now, even if nobody has read it yet.
+  for (const auto& [id, other] : contents_.by_id)
+    for (const auto& slot : other->slots()) graph_.refresh(*slot);
   auto& list = instance.type() == "view" ? contents_.views : contents_.plugins;
   const auto found = std::find_if(list.begin(), list.end(), [&](const auto& other) { return other.get() == &instance; });
   const std::unique_ptr<Instance> gone = std::move(*found);  // ends when nothing finds it any more

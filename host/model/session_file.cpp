@@ -59,13 +59,16 @@ void Session::replace(Json json, std::filesystem::path file, std::filesystem::pa
   contents_.file = std::move(file);
   contents_.folder = std::move(folder);
   structure_changed();
+  graph_.pause(true);
   try {
     fill(json);
   } catch (...) {
+    graph_.pause(false);
     std::swap(contents_, old);
     structure_changed();
     throw;
   }
+  graph_.pause(false);
   history_.clear();
   restless_.clear();
   structure_changed();

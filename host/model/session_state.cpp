@@ -14,6 +14,7 @@ using lumen::ValueType;
 namespace {
 
 constexpr std::size_t most_problems = 1000;
+constexpr int longest_data_chain = 1000;
 
 std::string trimmed(std::string_view text) {
   const auto first = text.find_first_not_of(' ');
@@ -99,9 +100,9 @@ lumen::PropertyState Session::state(const Instance& instance, int index) const {
   state.error = error_of(slot);
   state.no_effect = no_effect(instance, slot);
   if (slot.spec.type == ValueType::data) {
-    const Slot* source = &slot;
-    for (std::size_t steps = 0; source && !source->spec.output && steps < contents_.by_id.size() * 4; ++steps)
-      source = graph_.source(const_cast<Slot&>(*source));
+    Slot* source = &slot;
+    // Bounded: links of data may go in a circle.
+    for (int step = 0; source && !source->spec.output && step < longest_data_chain; ++step) source = graph_.source(*source);
     state.data_state = source && source->spec.output ? source->data_state : slot.link ? "its source is not there" : "not linked";
   }
   return state;

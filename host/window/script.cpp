@@ -1,5 +1,6 @@
 #include "window/script.h"
 
+#include <algorithm>
 #include <cmath>
 #include <fstream>
 
@@ -188,6 +189,11 @@ void Script::begin(const Json& step) {
   } else {
     fail("unknown step " + step.dump());
   }
+}
+
+double Script::wake_at() const {
+  // What it waits for has no signal of its own: the end of all signals is what is waited for.
+  return settling_ ? std::min(waiting_until_, GlfwWindow::time() + 0.02) : waiting_until_;
 }
 
 void Script::step(long frames) {

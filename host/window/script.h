@@ -37,7 +37,7 @@ class Script {
   bool finished() const { return finished_; }
   /// What did not hold, a line each.
   const std::string& failures() const { return failures_; }
-  double wake_at() const { return waiting_until_; }   ///< 0 = at once
+  double wake_at() const;                             ///< when step() has something to do; 0 = at once
 
  private:
   using Json = nlohmann::json;

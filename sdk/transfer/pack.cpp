@@ -1,6 +1,7 @@
 /// The sender's side of a transfer: data into sealed shared memory.
 #include <lumen/transfer.h>
 
+#include <algorithm>
 #include <cerrno>
 #include <cstring>
 #include <type_traits>
@@ -42,11 +43,11 @@ class Packer {
     const TransferHeader header{transfer_magic, transfer_version, static_cast<std::uint32_t>(kind_), size_, pieces_.size(), origin_offset_, origin_.size()};
     std::memcpy(memory, &header, sizeof header);
     std::byte* entry = memory + sizeof header;
-    std::memcpy(memory + origin_offset_, origin_.data(), origin_.size());
+    std::copy(origin_.begin(), origin_.end(), reinterpret_cast<char*>(memory + origin_offset_));
     for (const Piece& piece : pieces_) {
       std::memcpy(entry, &piece.entry, sizeof piece.entry);
       entry += sizeof piece.entry;
-      std::memcpy(memory + piece.entry.name_offset, piece.name.data(), piece.name.size());
+      std::copy(piece.name.begin(), piece.name.end(), reinterpret_cast<char*>(memory + piece.entry.name_offset));
       if (piece.bytes != 0) std::memcpy(memory + piece.entry.offset, piece.data, piece.bytes);
     }
   }

@@ -49,7 +49,7 @@ TEST(TestingScene, ShowsAUnitSphereFromTenUnitsAway) {
 
 TEST(TestingScene, LightsFromTheEye) {
   Scene scene({64, 64});
-  scene.surface("ball", sphere(256), R"({"diffuse": "lambert", "diffuse_color": [0.5, 0.25, 1]})");
+  scene.surface("ball", sphere(256), R"({"diffuse": "lambert", "diffuse_color": [0.5, 0.25, 1], "ambient_color": [0, 0, 0]})");
   scene.add("diffuse.lambert", "lambert");
   const Pixels picture = scene.picture();
   EXPECT_NEAR(picture.at(32, 32, 0), 0.5f, 1e-3f);
