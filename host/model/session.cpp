@@ -138,10 +138,11 @@ void Session::record(Change change) {
 
 Instance& Session::place(const std::string& id, const std::string& type, int position) {
   auto& list = type == "view" ? contents_.views : contents_.plugins;
-  const auto at = position < 0 || position > static_cast<int>(list.size()) ? list.end() : list.begin() + position;
-  Instance& instance = **list.insert(at, std::make_unique<Instance>(*this, id, type));
+  const bool last = position < 0 || position >= static_cast<int>(list.size());
+  Instance& instance = **list.insert(last ? list.end() : list.begin() + position, std::make_unique<Instance>(*this, id, type));
   contents_.by_id[id] = &instance;
-  renumber();
+  if (!last) renumber();
+  else if (type != "view") instance.number_ = static_cast<int>(list.size());
   structure_changed();
   return instance;
 }
