@@ -63,8 +63,8 @@ class Display:
         self.server.wait()
 
 
-def session_of(mesh, folder, ssao):
-    """What VTK draws, too: Lambert and Phong, two directional lights, one sample per pixel."""
+def session_of(mesh, folder, ssao, camera):
+    """What VTK draws, too: Lambert and Phong, two directional lights, one sample per pixel, its camera."""
     session = {
         "lumenshop": 1,
         "plugins": {
@@ -74,9 +74,9 @@ def session_of(mesh, folder, ssao):
             "phong": {"type": "specular.phong"},
             "surface": {"type": "renderer.surface", "mesh": {"link": "data.mesh"}, "ambient": "ambient", "diffuse": "lambert", "specular": "phong",
                         "diffuse_color": [0.72, 0.04, 0.05], "specular_color": [0.3, 0.3, 0.3], "shininess": 40},
-            "camera": {"type": "interactor.orbit"},
-            "front": {"type": "interactor.light", "direction": [0.3, 0.4, 1]},
-            "back": {"type": "interactor.light", "direction": [-0.3, -0.2, -1], "intensity": 0.4},
+            "camera": {"type": "interactor.orbit", "pivot": camera["pivot"], "distance": camera["distance"], "field_of_view": 30},
+            "front": {"type": "interactor.light", "direction": [0.3, -1, 0.4]},
+            "back": {"type": "interactor.light", "direction": [-0.3, 1, -0.2], "intensity": 0.4},
         },
         "views": {"main": {"camera": "camera", "lights": ["front", "back"], "renderers": ["surface"], "antialiasing": 1}},
     }
@@ -92,7 +92,7 @@ def phantom(program, folder, triangles):
     session = folder / "phantom.json"
     session.write_text(json.dumps({"lumenshop": 1, "plugins": {"phantom": {"type": "importer.phantom", "triangles": triangles}}, "views": {}}))
     mesh = folder / "phantom.vtp"
-    output_of([program, "export", session, "phantom.wall", "-o", mesh])
+    output_of([program, "export", session, "phantom.mesh", "-o", mesh])
     return mesh
 
 
@@ -103,12 +103,14 @@ def main():
     with tempfile.TemporaryDirectory() as name, Display() as display:
         folder = pathlib.Path(name)
         mesh = pathlib.Path(arguments.mesh).resolve() if arguments.mesh else phantom(program, folder, arguments.triangles)
-        scene = session_of(mesh, folder, arguments.ssao)
+        vtk = [peer, mesh, width, height]
+        camera = json.loads(output_of(vtk + [1], display))
+        scene = session_of(mesh, folder, arguments.ssao, camera)
 
         ours, theirs = [], []
         for _ in range(arguments.turns):
             ours.append(json.loads(output_of([program, "bench", scene, "--size", arguments.size, "--frames", arguments.frames, "--json"])))
-            theirs.append(json.loads(output_of([peer, mesh, width, height, arguments.frames] + ["--ssao"] * arguments.ssao, display)))
+            theirs.append(json.loads(output_of(vtk + [arguments.frames] + ["--ssao"] * arguments.ssao, display)))
         frame = statistics.median(run["frame"]["median_ms"] for run in ours)
         frame_vtk = statistics.median(run["frame"]["median_ms"] for run in theirs)
         print(f"{mesh.name}, {theirs[0]['triangles']:,} triangles, {arguments.size}, medians of {arguments.turns} runs in turns")

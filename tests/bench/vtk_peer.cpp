@@ -1,6 +1,6 @@
 /// The peer of `lumenshop bench`: draws a mesh off screen with VTK, the camera turned by half a degree each frame.
 ///   vtk-peer FILE WIDTH HEIGHT FRAMES [--ssao]
-/// Prints the quartiles of a frame in milliseconds and the peak memory as JSON. Debian's VTK needs an X server: xvfb-run.
+/// Prints the quartiles of a frame in milliseconds, the camera and the peak memory as JSON. Debian's VTK needs an X server: xvfb-run.
 #include <algorithm>
 #include <chrono>
 #include <cstdio>
@@ -82,8 +82,8 @@ int run(const std::string& file, int width, int height, int frames, bool ssao) {
   vtkNew<vtkRenderer> renderer;
   renderer->AddActor(actor);
   renderer->AutomaticLightCreationOff();
-  add_light(renderer, 0.3, 0.4, 1, 1);
-  add_light(renderer, -0.3, -0.2, -1, 0.4);
+  add_light(renderer, 0.3, -1, 0.4, 1);
+  add_light(renderer, -0.3, 1, -0.2, 0.4);
   if (ssao) {
     vtkNew<vtkRenderStepsPass> steps;
     vtkNew<vtkSSAOPass> pass;
@@ -99,11 +99,18 @@ int run(const std::string& file, int width, int height, int frames, bool ssao) {
   window->SetMultiSamples(0);
   window->SetSize(width, height);
   window->AddRenderer(renderer);
-  renderer->GetActiveCamera()->SetViewAngle(30);
+  vtkCamera* camera = renderer->GetActiveCamera();
+  camera->SetViewAngle(30);
+  camera->SetPosition(0, -1, 0);  // from the front, z up: as the program's own first view
+  camera->SetFocalPoint(0, 0, 0);
+  camera->SetViewUp(0, 0, 1);
   renderer->ResetCamera();
+  double pivot[3];
+  camera->GetFocalPoint(pivot);
+  const double distance = camera->GetDistance();
 
   const auto draw = [&](int frame) {
-    renderer->GetActiveCamera()->Azimuth(frame % 40 < 20 ? 0.5 : -0.5);
+    camera->Azimuth(frame % 40 < 20 ? 0.5 : -0.5);
     renderer->ResetCameraClippingRange();
     window->Render();
     window->WaitForCompletion();
@@ -118,8 +125,10 @@ int run(const std::string& file, int width, int height, int frames, bool ssao) {
   std::sort(samples.begin(), samples.end());
   rusage usage{};
   getrusage(RUSAGE_SELF, &usage);
-  std::printf("{\"frame\": {\"first_quartile_ms\": %.3f, \"median_ms\": %.3f, \"third_quartile_ms\": %.3f}, \"triangles\": %lld, \"peak_memory_bytes\": %lld}\n",
-              at(samples, 0.25), at(samples, 0.5), at(samples, 0.75), static_cast<long long>(mesh->GetNumberOfCells()), 1024LL * usage.ru_maxrss);
+  std::printf("{\"frame\": {\"first_quartile_ms\": %.3f, \"median_ms\": %.3f, \"third_quartile_ms\": %.3f}, \"pivot\": [%.9g, %.9g, %.9g], "
+              "\"distance\": %.9g, \"triangles\": %lld, \"peak_memory_bytes\": %lld}\n",
+              at(samples, 0.25), at(samples, 0.5), at(samples, 0.75), pivot[0], pivot[1], pivot[2], distance,
+              static_cast<long long>(mesh->GetNumberOfCells()), 1024LL * usage.ru_maxrss);
   return 0;
 }
 
