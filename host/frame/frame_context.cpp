@@ -9,7 +9,7 @@ void FrameContext::bind(Program& program) const {
   glBindBufferBase(GL_UNIFORM_BUFFER, 0, frame_block.name());
   glBindBufferBase(GL_UNIFORM_BUFFER, 1, light_block.name());
   values.bind(program);
-  shading.bind();
+  shading.bind(values);
 }
 
 void draw_fullscreen_triangle() {

@@ -26,6 +26,7 @@ struct FrameContext {
   const lumen::gl::Buffer& light_block;
   std::uint64_t geometry_key;       ///< differs with camera, size, jitter and scene extent
   std::uint64_t light_key;          ///< differs with the lights
+  int lights;                       ///< how many
   int set;                          ///< 0: pixel centers; 1: the other samples, which are not kept
 
   /// The blocks and the value table, for a program that is about to draw.

@@ -27,12 +27,16 @@ void run_lighting_pass(const FrameContext& context, bool summands) {
   std::vector<const lumen::gl::Texture*> targets;
   for (const char* name : names) targets.push_back(&layers.allocate(name, lumen::Format::RGBA32F, size));
 
+  // With one renderer its style is read at constant places; with several it is looked up per pixel.
+  const Instance* only = context.shading.single();
   const std::uint64_t signature = Hash()
                                       .add(context.shading.signature(context.shaders))
                                       .add(visibility.layer)
                                       .add(visibility.attenuates)
                                       .add(albedo != nullptr)
                                       .add(summands)
+                                      .add(context.lights)
+                                      .add(only == nullptr)
                                       .value();
   const std::uint64_t key = Hash()
                                 .add(signature)
@@ -54,10 +58,11 @@ void run_lighting_pass(const FrameContext& context, bool summands) {
       vertex.generated(fullscreen_triangle);
       fragment.generated("uniform sampler2D lumen_layer_normal, lumen_layer_depth, lumen_layer_albedo, lumen_visibility_layer;");
       fragment.include("host/lighting.glsl");
-      context.shading.write(fragment, visibility.attenuates, false, nullptr);
+      context.shading.write(fragment, visibility.attenuates, context.lights, false, only);
       std::string main;
       for (std::size_t i = 0; i < names.size(); ++i) main += "layout(location = " + std::to_string(i) + ") out vec4 lumen_" + names[i] + ";\n";
-      main += "void main() {\n  vec2 uv = gl_FragCoord.xy / lumen.size.xy;\n  Surface s = surface_at(uv);\n  lumen_material(s);\n";
+      main += "void main() {\n  vec2 uv = gl_FragCoord.xy / lumen.size.xy;\n  Surface s = surface_at(uv);\n";
+      main += only == nullptr ? "  lumen_material(s);\n" : "  lumen_own_material(s);\n";
       if (albedo != nullptr) main += "  s.diffuse_color = textureLod(lumen_layer_albedo, uv, 0.0).rgb;\n";
       main += "  vec3 visibility = vec3(1);\n";
       if (visibility.layer == "occlusion") main += "  visibility -= textureLod(lumen_visibility_layer, uv, 0.0).r;\n";
@@ -68,6 +73,7 @@ void run_lighting_pass(const FrameContext& context, bool summands) {
     });
     if (program == nullptr) return;
     context.bind(*program);
+    if (only != nullptr) context.shading.bind_style(*only);
     program->bind("lumen_layer_normal", layers.find("normal")->name());
     program->bind("lumen_layer_depth", layers.find("depth")->name());
     if (albedo != nullptr) program->bind("lumen_layer_albedo", albedo->name());

@@ -140,14 +140,14 @@ void PluginPass::fullscreen(std::string_view shader, const lumen::FullscreenPass
     vertex.generated(fullscreen_triangle);
     fragment.include("lib/values.glsl");
     fragment.include("lib/frame.glsl");
-    std::string text = "uniform int lumen_row;\nuniform vec2 lumen_target_size;\n" + layers;
+    std::string text = "uniform vec2 lumen_target_size;\n" + layers;
     for (const auto& [name, texture] : pass.inputs)
       text += std::string("uniform sampler2D ") + name + ";\n" + accessor(name, name, lumen::channels_of(texture->format()));
-    fragment.generated(text + properties_text(instance_, prefix));
+    fragment.generated(text + properties_text(instance_, prefix, row_binding::own));
     fragment.file(file, {pass.function}, prefix);
     fragment.generated("layout(location = 0) out vec4 lumen_result;\n"
                        "void main() {\n  Pixel pixel = Pixel(gl_FragCoord.xy / lumen_target_size, ivec2(gl_FragCoord.xy));\n"
-                       "  lumen_result = " + prefix + pass.function + "(" + prefix + "load(lumen_row), pixel);\n}\n");
+                       "  lumen_result = " + prefix + pass.function + "(" + prefix + "load(0), pixel);\n}\n");
   });
   if (program == nullptr) throw lumen::Error(file, "the shader does not compile");
   const lumen::gl::Texture* depth_buffer = pass.covered_only && target.size() == size() ? context_.layers.find("depth_buffer") : nullptr;
@@ -166,7 +166,7 @@ void PluginPass::fullscreen(std::string_view shader, const lumen::FullscreenPass
     glDisable(GL_DEPTH_TEST);
   }
   context_.bind(*program);
-  program->set("lumen_row", context_.values.row_of(instance_));
+  context_.values.bind_row(row_binding::own, instance_);
   glProgramUniform2f(program->name(), glGetUniformLocation(program->name(), "lumen_target_size"), float(target.size().x), float(target.size().y));
   bind_layers(*program);
   for (const auto& [name, texture] : pass.inputs) program->bind(name, texture->name());
@@ -184,25 +184,25 @@ void PluginPass::surfaces(std::string_view shader, const char* function, std::sp
   glViewport(0, 0, size().x, size().y);
   for (std::size_t i = 0; i < clear.size(); ++i) glClearNamedFramebufferfv(framebuffer.name(), GL_COLOR, GLint(i), &clear[i].x);
   Hash hash;
-  hash.add(file).add(std::string_view(function)).add(properties_signature(instance_)).add(context_.shading.signature(context_.shaders));
+  hash.add(file).add(std::string_view(function)).add(properties_signature(instance_)).add(context_.shading.signature(context_.shaders)).add(context_.lights);
   for (const lumen::Target& target : targets) hash.add(std::string_view(target.name));
   const SurfaceOutput output{
       .name = instance_.id() + " " + function,
       .signature = hash.value(),
       .write = [&](ProgramText& text, const Instance& renderer) {
         const std::string prefix = prefix_of(file);
-        context_.shading.write(text, lumen::Attenuates::ambient, true, &renderer);
-        std::string head = "uniform int lumen_transparency_row;\n";
+        context_.shading.write(text, lumen::Attenuates::ambient, context_.lights, true, &renderer);
+        std::string head;
         for (std::size_t i = 0; i < targets.size(); ++i)
           head += "layout(location = " + std::to_string(i) + ") out vec4 " + targets[i].name + ";\n";
-        text.generated(head + properties_text(instance_, prefix));
+        text.generated(head + properties_text(instance_, prefix, row_binding::transparency));
         text.file(file, {function}, prefix);
         text.generated("void main() {\n  Surface s = lumen_surface();\n  Lighting l = shade(s, vec3(1));\n"
                        "  float alpha = clamp(opacity_of(s), 0.0, 1.0);\n  if (alpha <= 0.0) discard;\n"
                        "  Fragment fragment = Fragment(l.ambient + l.diffuse + l.specular, alpha, -s.position.z, s.instance, s.part, s.primitive);\n"
-                       "  " + prefix + function + "(" + prefix + "load(lumen_transparency_row), fragment);\n}\n");
+                       "  " + prefix + function + "(" + prefix + "load(0), fragment);\n}\n");
       },
-      .prepare = [&](Program& program) { program.set("lumen_transparency_row", context_.values.row_of(instance_)); }};
+      .prepare = [&](Program&) { context_.values.bind_row(row_binding::transparency, instance_); }};
   glEnable(GL_DEPTH_TEST);
   glDepthFunc(GL_LESS);
   glDepthMask(GL_FALSE);

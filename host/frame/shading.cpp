@@ -12,7 +12,9 @@ namespace {
 struct StyleRow {
   glm::ivec4 rows{0}, variant{0};
   glm::vec4 ambient_color{0.2f, 0.2f, 0.2f, 1}, diffuse_color{0.8f, 0.8f, 0.8f, 1}, specular_color{0, 0, 0, 1};
+  glm::vec4 unused[11] = {};
 };
+static_assert(sizeof(StyleRow) == 256, "bound on its own as a uniform block");
 
 template <class T>
 const T* value_of(const Instance& instance, std::string_view property) {
@@ -40,9 +42,12 @@ SurfaceStyle style_of(const Session& session, const Instance& renderer) {
 }
 
 int Shading::term_index(const Instance& instance) {
-  const std::string file = file_of(instance), properties = properties_text(instance, "");
+  const std::string file = file_of(instance), properties = properties_text(instance, "", row_binding::any);
   for (std::size_t i = 0; i < terms_.size(); ++i)
-    if (terms_[i].file == file && terms_[i].properties == properties) return int(i);
+    if (terms_[i].file == file && terms_[i].properties == properties) {
+      terms_[i].shared = terms_[i].shared || terms_[i].instance != &instance;
+      return int(i);
+    }
   const auto versions = std::count_if(terms_.begin(), terms_.end(), [&](const Term& term) { return term.file == file; });
   terms_.push_back({&instance, file, properties, prefix_of(file) + (versions ? "v" + std::to_string(versions) + "_" : "")});
   return int(terms_.size()) - 1;
@@ -81,21 +86,34 @@ void Shading::update(const Session& session, const std::vector<Instance*>& rende
   table_.write(std::as_bytes(std::span(rows)));
 }
 
-void Shading::bind() const { glBindBufferBase(GL_SHADER_STORAGE_BUFFER, 1, table_.name()); }
+int Shading::binding_of(int term) const {
+  return terms_[std::size_t(term)].shared || term >= row_binding::term_count ? row_binding::any : row_binding::terms + term;
+}
+
+void Shading::bind(const ValueTable& values) const {
+  glBindBufferBase(GL_SHADER_STORAGE_BUFFER, 1, table_.name());
+  for (int term = 0; term < int(terms_.size()); ++term)
+    if (const int binding = binding_of(term); binding != row_binding::any) values.bind_row(binding, *terms_[std::size_t(term)].instance);
+}
+
+void Shading::bind_style(const Instance& renderer) const {
+  glBindBufferRange(GL_UNIFORM_BUFFER, row_binding::style, table_.name(), GLintptr(std::size_t(renderer.number()) * sizeof(StyleRow)), sizeof(StyleRow));
+}
 
 std::uint64_t Shading::signature(ShaderLibrary& library) const {
   Hash hash;
-  for (const Term& term : terms_) hash.add(term.file).add(term.properties).add(library.revision(term.file));
+  for (const Term& term : terms_) hash.add(term.file).add(term.properties).add(term.shared).add(library.revision(term.file));
   for (const Variant& variant : variants_) hash.add(variant);
   return hash.value();
 }
 
 const SurfaceStyle& Shading::style(const Instance& renderer) const { return styles_.at(&renderer); }
 
-std::string Shading::shade_case(const Variant& variant) const {
-  const auto& [ambient, diffuse, specular, opacity] = variant.terms;
+std::string Shading::shade_case(const Variant& variant, int lights, bool own) const {
+  const int ambient = variant.terms[0], diffuse = variant.terms[1], specular = variant.terms[2];
   const auto load = [&](int term, const char* component) {
-    return terms_[std::size_t(term)].prefix + "load(lumen_styles[s.instance].rows." + component + ")";
+    if (binding_of(term) != row_binding::any) return terms_[std::size_t(term)].prefix + "load(0)";
+    return terms_[std::size_t(term)].prefix + "load(" + (own ? "lumen_own_style" : "lumen_styles[s.instance]") + ".rows." + component + ")";
   };
   const auto declare = [&](int term, const char* name, const char* component) {
     return "    " + terms_[std::size_t(term)].prefix + "Properties " + name + " = " + load(term, component) + ";\n";
@@ -106,14 +124,14 @@ std::string Shading::shade_case(const Variant& variant) const {
   if (diffuse >= 0) text += declare(diffuse, "lumen_d", "y");
   if (specular >= 0) text += declare(specular, "lumen_s", "z");
   if (diffuse < 0 && specular < 0) return text;
-  text += "    for (int i = 0; i < lumen_light_count.x; ++i) {\n      Light light = light_at(i, s.position);\n";
+  text += "    for (int i = 0; i < " + std::to_string(lights) + "; ++i) {\n      Light light = light_at(i, s.position);\n";
   if (diffuse >= 0) text += "      r.diffuse += " + terms_[std::size_t(diffuse)].prefix + "diffuse(lumen_d, s, light);\n";
   if (specular >= 0)
     text += "      if (dot(s.normal, light.direction) > 0.0) r.specular += " + terms_[std::size_t(specular)].prefix + "specular(lumen_s, s, light);\n";
   return text + "    }\n";
 }
 
-void Shading::write(ProgramText& text, lumen::Attenuates attenuates, bool with_opacity, const Instance* only) const {
+void Shading::write(ProgramText& text, lumen::Attenuates attenuates, int lights, bool with_opacity, const Instance* only) const {
   text.include("lib/values.glsl");
   text.include("host/styles.glsl");
   const int single = only == nullptr ? -1 : variant_of_.at(only);
@@ -125,12 +143,12 @@ void Shading::write(ProgramText& text, lumen::Attenuates attenuates, bool with_o
   }
   for (std::size_t i = 0; i < terms_.size(); ++i) {
     if (!wanted[i]) continue;
-    text.generated(properties_text(*terms_[i].instance, terms_[i].prefix));
+    text.generated(properties_text(*terms_[i].instance, terms_[i].prefix, binding_of(int(i))));
     text.file(terms_[i].file, {lumen::name_of(terms_[i].instance->kind())}, terms_[i].prefix);
   }
   std::string cases;
   for (std::size_t v = 0; v < variants_.size(); ++v)
-    if (single < 0 || int(v) == single) cases += "  case " + std::to_string(v) + ": {\n" + shade_case(variants_[v]) + "  } break;\n";
+    if (single < 0 || int(v) == single) cases += "  case " + std::to_string(v) + ": {\n" + shade_case(variants_[v], lights, only != nullptr) + "  } break;\n";
   std::string function = "Lighting shade(Surface s, vec3 visibility) {\n  Lighting r = Lighting(vec3(0), vec3(0), vec3(0));\n";
   if (!cases.empty())
     function += "  switch (" + (single >= 0 ? std::to_string(single) : std::string("lumen_styles[s.instance].variant.x")) + ") {\n" + cases + "  }\n";
@@ -141,7 +159,8 @@ void Shading::write(ProgramText& text, lumen::Attenuates attenuates, bool with_o
   if (with_opacity) {
     const int term = single < 0 ? -1 : variants_[std::size_t(single)].terms[3];
     function += "float opacity_of(Surface s) { return ";
-    function += term < 0 ? "1.0" : terms_[std::size_t(term)].prefix + "opacity(" + terms_[std::size_t(term)].prefix + "load(lumen_styles[s.instance].rows.w), s)";
+    const std::string prefix = term < 0 ? "" : terms_[std::size_t(term)].prefix;
+    function += term < 0 ? "1.0" : prefix + "opacity(" + prefix + "load(lumen_own_style.rows.w), s)";
     function += "; }\n";
   }
   text.generated(function);

@@ -29,7 +29,10 @@ class Shading {
  public:
   /// Collects the styles of these renderers, and gives each combination of terms a number.
   void update(const Session& session, const std::vector<Instance*>& renderers, const ValueTable& values);
-  void bind() const;
+  /// The style table, and the rows of terms that only one instance has.
+  void bind(const ValueTable& values) const;
+  /// The one style of a program that draws this renderer alone.
+  void bind_style(const Instance& renderer) const;
 
   /// Changes when the generated text would: styles, constants, files.
   std::uint64_t signature(ShaderLibrary& library) const;
@@ -37,8 +40,11 @@ class Shading {
   std::uint64_t value_revision() const { return value_revision_; }
   const SurfaceStyle& style(const Instance& renderer) const;
 
-  /// Adds shade(s, visibility); `with_opacity`: also opacity_of(s). `only`: the one renderer whose surfaces are met, or null.
-  void write(ProgramText& text, lumen::Attenuates attenuates, bool with_opacity, const Instance* only) const;
+  /// Adds shade(s, visibility) for `lights` lights; `with_opacity`: also opacity_of(s). `only`: the one renderer whose
+  /// surfaces are met, or null.
+  void write(ProgramText& text, lumen::Attenuates attenuates, int lights, bool with_opacity, const Instance* only) const;
+  /// The only renderer that there is; null if there are several.
+  const Instance* single() const { return styles_.size() == 1 ? styles_.begin()->first : nullptr; }
   /// How many lights there are goes into lib/lights.glsl's block; this is its size limit.
   static constexpr int light_limit = 16;
 
@@ -46,13 +52,15 @@ class Shading {
   struct Term {
     const Instance* instance;
     std::string file, properties, prefix;  ///< properties: the text with a neutral prefix, to compare
+    bool shared = false;                   ///< several instances: their rows are looked up per pixel
   };
   struct Variant {
     std::array<int, 4> terms;  ///< indices into terms_, -1 = none
     bool operator==(const Variant&) const = default;
   };
   int term_index(const Instance& instance);
-  std::string shade_case(const Variant& variant) const;
+  int binding_of(int term) const;
+  std::string shade_case(const Variant& variant, int lights, bool own) const;
 
   std::vector<Term> terms_;
   std::vector<Variant> variants_;

@@ -34,7 +34,8 @@ class SurfaceDraw final : public lumen::Draw {
     Program* program = program_for(std::string(shader), planes, inputs);
     if (program == nullptr) throw lumen::Error(std::string(shader), "the shader does not compile");
     context_.bind(*program);
-    program->set("lumen_row", context_.values.row_of(*surface_.instance));
+    context_.values.bind_row(row_binding::own, *surface_.instance);
+    context_.shading.bind_style(*surface_.instance);
     program->set("lumen_instance", surface_.instance->number());
     program->set("lumen_part_index", part);
     program->set("lumen_part", chosen.transform);
@@ -55,8 +56,8 @@ class SurfaceDraw final : public lumen::Draw {
     const std::string slot = instance.id() + " " + output_.name + (planes ? " cut by " + std::to_string(planes) : "");
     return context_.shaders.program(slot, hash.value(), [&](ProgramText& vertex, ProgramText& fragment) {
       const std::string prefix = prefix_of(file);
-      const std::string properties = properties_text(instance, prefix);
-      std::string cut = "uniform int lumen_row;\n";
+      const std::string properties = properties_text(instance, prefix, row_binding::own);
+      std::string cut;
       if (planes > 0) {
         const std::string count = std::to_string(planes);
         cut += "uniform vec4 lumen_planes[" + count + "];\nout float gl_ClipDistance[" + count + "];\n";
@@ -68,9 +69,9 @@ class SurfaceDraw final : public lumen::Draw {
       vertex.include("lib/values.glsl");
       vertex.generated(properties);
       vertex.file(file, {"vertex"}, prefix);
-      vertex.generated("void main() { " + prefix + "vertex(" + prefix + "load(lumen_row)); }\n");
+      vertex.generated("void main() { " + prefix + "vertex(" + prefix + "load(0)); }\n");
 
-      fragment.generated("uniform int lumen_row, lumen_instance, lumen_part_index;\nvoid lumen_cut(vec3 world) {}\n");
+      fragment.generated("uniform int lumen_instance, lumen_part_index;\nvoid lumen_cut(vec3 world) {}\n");
       for (const auto& [name, texture] : inputs) fragment.generated(std::string("uniform sampler2D ") + name + ";");
       fragment.include("lib/values.glsl");
       fragment.include("lib/frame.glsl");
@@ -80,7 +81,7 @@ class SurfaceDraw final : public lumen::Draw {
       fragment.generated("Surface lumen_surface() {\n"
                          "  Surface s;\n"
                          "  s.instance = lumen_instance;\n  s.part = lumen_part_index;\n  s.primitive = 0;\n  s.front = gl_FrontFacing;\n"
-                         "  lumen_material(s);\n  " + prefix + "surface(" + prefix + "load(lumen_row), s);\n"
+                         "  lumen_own_material(s);\n  " + prefix + "surface(" + prefix + "load(0), s);\n"
                          "  s.to_eye = to_eye(s.position);\n"
                          "  if (dot(s.normal, s.to_eye) < 0.0) s.normal = -s.normal;\n"
                          "  return s;\n}\n");

@@ -15,6 +15,9 @@ using lumen::ValueType;
 
 constexpr int transfer_texels = 1024;
 
+/// Rows begin where a uniform block may: 256 bytes is the largest alignment that GL allows a driver to ask for.
+constexpr std::size_t row_alignment = 256 / sizeof(glm::vec4);
+
 int rows_for(ValueType type) {
   switch (type) {
     case ValueType::mat4: return 4;
@@ -52,12 +55,12 @@ void append(const lumen::PropertySpec& spec, const lumen::Value& value, std::vec
   }
 }
 
-struct Binding {
+struct Reading {
   const char* type;
   const char* swizzle;  // printf format of the expression that reads vec4 %s
 };
 
-Binding glsl_of(ValueType type) {
+Reading glsl_of(ValueType type) {
   switch (type) {
     case ValueType::boolean: return {"bool", "%s.x > 0.5"};
     case ValueType::integer: case ValueType::choice: return {"int", "int(%s.x)"};
@@ -105,8 +108,9 @@ void ValueTable::update(const Session& session) {
         append(slot.spec, value, rows);
       }
     }
+    rows.resize((rows.size() + row_alignment - 1) / row_alignment * row_alignment);
   }
-  if (rows.empty()) rows.emplace_back(0);
+  if (rows.empty()) rows.resize(row_alignment);
   values_.write(std::as_bytes(std::span(rows)));
   if (functions != uploaded_ || !transfer_functions_) {
     std::vector<float> texels(std::max<std::size_t>(functions.size(), 1) * transfer_texels * 4, 1.0f);
@@ -134,6 +138,14 @@ void ValueTable::bind(Program& program) const {
   program.bind("lumen_transfer_functions", transfer_functions_.name());
 }
 
+void ValueTable::bind_row(int binding, const Instance& instance) const {
+  const auto at = rows_.find(&instance);
+  const std::size_t first = at == rows_.end() ? 0 : std::size_t(at->second) * sizeof(glm::vec4);
+  // To the end of the buffer or as far as a block may reach: what the program declares is within.
+  const std::size_t size = std::min(values_.size() - first, std::size_t(16384));
+  glBindBufferRange(GL_UNIFORM_BUFFER, GLuint(binding), values_.name(), GLintptr(first), GLsizeiptr(size));
+}
+
 std::uint64_t properties_signature(const Instance& instance) {
   Hash hash;
   const auto& slots = instance.slots();
@@ -149,7 +161,7 @@ std::uint64_t properties_signature(const Instance& instance) {
   return hash.value();
 }
 
-std::string properties_text(const Instance& instance, const std::string& prefix) {
+std::string properties_text(const Instance& instance, const std::string& prefix, int binding) {
   std::string fields, loads;
   int offset = 0;
   const auto& slots = instance.slots();
@@ -157,21 +169,27 @@ std::string properties_text(const Instance& instance, const std::string& prefix)
     const Slot& slot = *slots[std::size_t(i)];
     const int count = slot.retracted ? 0 : rows_for(slot.spec.type);
     if (count == 0) continue;
-    const Binding binding = glsl_of(slot.spec.type);
-    fields += std::string("  ") + binding.type + " " + slot.spec.id + ";\n";
+    const Reading reading = glsl_of(slot.spec.type);
+    fields += std::string("  ") + reading.type + " " + slot.spec.id + ";\n";
     std::string value;
     std::vector<glm::vec4> constant;
     if (slot.spec.options.constant) append(slot.spec, instance.read(i), constant);
     for (int row = 0; row < count; ++row) {
-      const std::string vector = constant.empty() ? "lumen_values[row + " + std::to_string(offset + row) + "]" : literal(constant[std::size_t(row)]);
-      value += (row ? ", " : "") + substitute(binding.swizzle, vector);
+      const std::string place = std::to_string(offset + row);
+      const std::string vector = !constant.empty()                        ? literal(constant[std::size_t(row)])
+                                 : binding == row_binding::any ? "lumen_values[row + " + place + "]"
+                                                               : prefix + "row[" + place + "]";
+      value += (row ? ", " : "") + substitute(reading.swizzle, vector);
     }
     if (count == 4) value = "mat4(" + value + ")";
     loads += "  p." + slot.spec.id + " = " + value + ";\n";
     offset += count;
   }
   const std::string type = prefix + "Properties";
-  return "struct " + type + " {\n" + fields + "};\n" + type + " " + prefix + "load(int row) {\n  " + type + " p;\n" + loads + "  return p;\n}\n";
+  const std::string block = binding == row_binding::any ? std::string()
+                                                        : "layout(std140, binding = " + std::to_string(binding) + ") uniform " + prefix + "Row { vec4 " + prefix +
+                                                              "row[" + std::to_string(std::max(offset, 1)) + "]; };\n";
+  return block + "struct " + type + " {\n" + fields + "};\n" + type + " " + prefix + "load(int row) {\n  " + type + " p;\n" + loads + "  return p;\n}\n";
 }
 
 }  // namespace lumenshop

@@ -57,13 +57,17 @@ void ViewRenderer::State::find() {
 
 void ViewRenderer::State::tell_interactors() {
   const float aspect = float(size.x) / float(size.y);
-  if (scene.bounds.empty() || (scene.bounds.min == told_bounds.min && scene.bounds.max == told_bounds.max && aspect == told_aspect)) return;
+  std::set<lumen::Plugin*> all;
+  for (const auto* list : {&scene.interactors, &scene.lights})
+    for (const Instance* instance : *list) all.insert(instance->plugin());
+  if (scene.camera != nullptr) all.insert(scene.camera->plugin());
+  // A reloaded interactor is another object, which knows nothing of the scene yet.
+  const bool known = scene.bounds.min == told_bounds.min && scene.bounds.max == told_bounds.max && aspect == told_aspect && all == told;
+  if (scene.bounds.empty() || known) return;
   told_bounds = scene.bounds;
   told_aspect = aspect;
-  std::set<Instance*> all(scene.interactors.begin(), scene.interactors.end());
-  all.insert(scene.lights.begin(), scene.lights.end());
-  if (scene.camera != nullptr) all.insert(scene.camera);
-  for (Instance* instance : all) instance->as<lumen::Interactor>(Kind::interactor)->scene_changed(scene.bounds, aspect);
+  told = all;
+  for (lumen::Plugin* plugin : all) static_cast<lumen::Interactor*>(plugin)->scene_changed(scene.bounds, aspect);
   session.update();
 }
 
@@ -73,7 +77,7 @@ FrameContext ViewRenderer::State::context(int set, const ViewGeometry& sample, L
   FrameBlock timeless = sample.block;
   timeless.transparent_extent.w = 0;
   return {session, shaders, values, shading, log, layers, scene, sample, frame_block, light_block,
-          Hash().add(timeless).add(sample.size()).value(), Hash().add(lights).value(), set};
+          Hash().add(timeless).add(sample.size()).value(), Hash().add(lights).value(), lights.count.x, set};
 }
 
 std::string ViewRenderer::State::draw_scene(int set, glm::vec2 jitter, LayerStore& layers) {

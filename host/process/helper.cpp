@@ -55,7 +55,9 @@ lumen::WorkerReply Helper::run(const lumen::WorkerRequest& request, const std::f
   const Message message = to_message(order);
   HelperChild child = state_->child_for(request.module);
   child.send(message);   // if it is dead, wait() says how it died
-  HelperChild::Watch watch{request.untrusted_file.empty() ? request.module : request.untrusted_file, std::chrono::seconds(600), "600 s", order.memory_limit, progress};
+  const bool reads = !request.untrusted_file.empty();
+  const HelperChild::Watch watch{reads ? std::filesystem::path(request.untrusted_file).filename().string() : request.module, reads ? "its reader " : "",
+                                 std::chrono::seconds(600), "600 s", order.memory_limit, progress};
   return to_worker_reply(child.wait(watch));
 }
 
@@ -79,7 +81,7 @@ std::string Helper::probe(const std::filesystem::path& library, int level) {
   writer.number(static_cast<std::uint64_t>(level));
   child.send({MessageType::probe, writer.take()});
   // The child's own limit of 2 s counts processor time, so that a busy machine fails nobody; this one is for those who sleep.
-  const Message reply = child.wait({library.filename().string(), std::chrono::seconds(10), "2 s", std::uint64_t{1} << 30});
+  const Message reply = child.wait({library.filename().string(), "", std::chrono::seconds(10), "2 s", std::uint64_t{1} << 30});
   return WireReader(reply.payload).text();
 }
 

@@ -21,7 +21,7 @@ class Helper {
 
   /// Runs a worker module in a child. `progress` is called on this thread, every 50 ms at least, with how far it is; it
   /// cancels by returning false (then lumen::Cancelled is thrown and the child is killed). Throws lumen::Error: the worker's
-  /// own message, "ran out of memory (limit 256 MiB)", "crashed (signal 11)", "took longer than 600 s".
+  /// own message, "aorta.vtp: its reader ran out of memory (limit 256 MiB)", "... crashed (signal 11, SIGSEGV)", "... took longer than 600 s".
   lumen::WorkerReply run(const lumen::WorkerRequest& request, const std::function<bool(float)>& progress);
 
   /// Starts a child with the module loaded, so that the next run() of it has no start-up to wait for.

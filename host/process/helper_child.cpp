@@ -42,7 +42,7 @@ Message HelperChild::wait(const Watch& watch) {
     std::array<pollfd, 2> waited{pollfd{channel_.descriptor(), POLLIN, 0}, pollfd{output_.get(), POLLIN, 0}};
     const int ready = ::poll(waited.data(), waited.size(), static_cast<int>(std::max(left, std::chrono::milliseconds(0)).count()));
     if (ready < 0 && errno != EINTR) throw lumen::Error(watch.subject, std::string("cannot wait for its process: ") + std::strerror(errno));
-    if (Clock::now() >= deadline) throw lumen::Error(watch.subject, "took longer than " + watch.time_limit_text + (stage_.empty() ? "" : " while " + stage_));
+    if (Clock::now() >= deadline) throw lumen::Error(watch.subject, watch.actor + "took longer than " + watch.time_limit_text + (stage_.empty() ? "" : " while " + stage_));
     if (ready <= 0) continue;
     if (waited[1].revents != 0) take_output();
     if (waited[0].revents == 0) continue;
@@ -85,7 +85,7 @@ std::string HelperChild::last_line() const {
 }
 
 void HelperChild::throw_out_of_memory(const Watch& watch) const {
-  throw lumen::Error(watch.subject, "ran out of memory (limit " + std::to_string(watch.memory_limit >> 20) + " MiB)");
+  throw lumen::Error(watch.subject, watch.actor + "ran out of memory (limit " + std::to_string(watch.memory_limit >> 20) + " MiB)");
 }
 
 void HelperChild::throw_death(int status, const Watch& watch) {
@@ -101,6 +101,7 @@ void HelperChild::throw_death(int status, const Watch& watch) {
   } else {
     what = "ended by itself (exit code " + std::to_string(WEXITSTATUS(status)) + ")";
   }
+  what.insert(0, watch.actor);
   if (!stage_.empty()) what += " while " + stage_;
   const std::string line = last_line();
   throw lumen::Error(watch.subject, line.empty() ? what : what + ": " + line);

@@ -18,7 +18,8 @@ class HelperChild {
   bool alive() const;
 
   struct Watch {
-    std::string subject;                            ///< what an error's message begins with
+    std::string subject;                            ///< what an error's message begins with: a file, a library, a module
+    std::string actor;                              ///< who failed, if it is not the subject: "its reader ", or empty
     std::chrono::milliseconds time_limit;
     std::string time_limit_text;                    ///< "600 s"
     std::uint64_t memory_limit = 0;                 ///< bytes, for the message

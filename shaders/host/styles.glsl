@@ -1,4 +1,4 @@
-// What each instance's surface is made of; the host fills the table and adds shade().
+// What each instance's surface is made of; the host adds lumen_style_of() and shade().
 #include "lib/lights.glsl"
 
 struct LumenStyle {
@@ -7,15 +7,20 @@ struct LumenStyle {
   vec4 ambient_color;
   vec4 diffuse_color;
   vec4 specular_color;  // w: shininess
+  vec4 unused[11];      // a row is 256 bytes long, so that it can be bound on its own
 };
 
+// The styles of all instances, and the one that a program which draws a single instance has bound.
 layout(std430, binding = 1) readonly buffer LumenStyles { LumenStyle lumen_styles[]; };
+layout(std140, binding = 12) uniform LumenOwnStyle { LumenStyle lumen_own_style; };
 
-// The material of s.instance, where the surface has none of its own.
-void lumen_material(inout Surface s) {
-  LumenStyle style = lumen_styles[s.instance];
+void lumen_take_material(LumenStyle style, inout Surface s) {
   s.ambient_color = style.ambient_color.rgb;
   s.diffuse_color = style.diffuse_color.rgb;
   s.specular_color = style.specular_color.rgb;
   s.shininess = style.specular_color.w;
 }
+
+// The material of s.instance, whichever it is; of the instance that the program draws.
+void lumen_material(inout Surface s) { lumen_take_material(lumen_styles[s.instance], s); }
+void lumen_own_material(inout Surface s) { lumen_take_material(lumen_own_style, s); }

@@ -7,7 +7,7 @@ struct LumenLight {
 };
 
 layout(std140, binding = 1) uniform LumenLights {
-  ivec4 lumen_light_count;
+  ivec4 lumen_light_count;  // x; programs are made for a number of lights
   LumenLight lumen_lights[16];
 };
 

@@ -97,7 +97,7 @@ TEST_F(HelperTest, PassesOnTheWorkersOwnMessage) {
 
 TEST_F(HelperTest, NamesTheSignalOfACrash) {
   EXPECT_EQ(failure("crash"), "trial: crashed (signal 11, SIGSEGV)");
-  EXPECT_EQ(failure("crash", {}, "/tmp/aorta.vtp"), "/tmp/aorta.vtp: crashed (signal 11, SIGSEGV)");
+  EXPECT_EQ(failure("crash", {}, "/tmp/aorta.vtp"), "aorta.vtp: its reader crashed (signal 11, SIGSEGV)");
 }
 
 TEST_F(HelperTest, AddsTheLastWordsOfWhoAborts) { EXPECT_EQ(failure("abort"), "trial: crashed (signal 6, SIGABRT): assertion 'cells > 0' failed"); }
@@ -108,7 +108,7 @@ TEST_F(HelperTest, BoundsTheMemoryOfAnUntrustedFile) {
   const std::string file = fs::path(testing::TempDir()) / "small.vtp";
   std::ofstream(file) << "small";
   EXPECT_EQ(failure("memory", {{"MiB", "200"}}, file), "no failure");
-  EXPECT_EQ(failure("memory", {{"MiB", "300"}}, file), file + ": ran out of memory (limit 256 MiB)");
+  EXPECT_EQ(failure("memory", {{"MiB", "300"}}, file), "small.vtp: its reader ran out of memory (limit 256 MiB)");
   EXPECT_EQ(failure("malloc", {{"MiB", "300"}}, file), "no memory");
   EXPECT_EQ(failure("memory", {{"MiB", "300"}}), "no failure");
 }
@@ -117,14 +117,14 @@ TEST_F(HelperTest, LetsALargeFileHaveMore) {
   const std::string file = fs::path(testing::TempDir()) / "large.vtp";
   std::ofstream(file) << std::string(2 << 20, 'x');
   EXPECT_EQ(failure("memory", {{"MiB", "350"}}, file), "no failure");
-  EXPECT_EQ(failure("memory", {{"MiB", "420"}}, file), file + ": ran out of memory (limit 400 MiB)");
+  EXPECT_EQ(failure("memory", {{"MiB", "420"}}, file), "large.vtp: its reader ran out of memory (limit 400 MiB)");
 }
 
 TEST_F(HelperTest, CountsWhatIsHandedOver) {
   const std::string file = fs::path(testing::TempDir()) / "small.vtp";
   std::ofstream(file) << "small";
   EXPECT_EQ(failure("large data", {{"MiB", "100"}}, file), "no failure");
-  EXPECT_EQ(failure("large data", {{"MiB", "200"}}, file), file + ": ran out of memory (limit 256 MiB)");
+  EXPECT_EQ(failure("large data", {{"MiB", "200"}}, file), "small.vtp: its reader ran out of memory (limit 256 MiB)");
 }
 
 TEST_F(HelperTest, ChecksTheDataOfItsWorkers) { EXPECT_NE(failure("bad mesh").find("bad.ply: "), std::string::npos) << failure("bad mesh"); }

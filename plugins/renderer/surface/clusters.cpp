@@ -72,11 +72,17 @@ ClusteredMesh make_clusters(const lumen::Mesh& mesh) {
   std::vector<std::uint32_t> points = merged_points(mesh);
   result.solid = is_closed(mesh, points) && is_outward(mesh, points);
 
-  // Along a space-filling curve neighbors stand together: clusters are runs of the curve.
+  // Along a space-filling curve neighbors stand together: clusters are runs of the curve. Triangles that face the six main
+  // directions lie on curves of their own, beside each other, so that a cluster faces one way even where two walls touch.
   std::vector<glm::vec3> centroids(count);
+  const lumen::Bounds bounds = mesh.bounds();
+  const glm::vec3 aside = 1.01f * (bounds.max - bounds.min);
   for (std::size_t i = 0; i < count; ++i) {
     const glm::uvec3& t = mesh.triangles[i];
-    centroids[i] = (mesh.positions[t.x] + mesh.positions[t.y] + mesh.positions[t.z]) / 3.0f;
+    const glm::vec3 &p = mesh.positions[t.x], &q = mesh.positions[t.y], &r = mesh.positions[t.z];
+    const glm::vec3 normal = glm::cross(q - p, r - p), size = glm::abs(normal);
+    const int axis = size.x > size.y && size.x > size.z ? 0 : size.y > size.z ? 1 : 2;
+    centroids[i] = (p + q + r) / 3.0f + aside * glm::vec3(axis, normal[axis] < 0, 0);
   }
   std::vector<std::uint32_t> place(count);
   meshopt_spatialSortRemap(place.data(), &centroids[0].x, count, sizeof(glm::vec3));
@@ -95,10 +101,8 @@ ClusteredMesh make_clusters(const lumen::Mesh& mesh) {
   return result;
 }
 
-void visible_ranges(const ClusteredMesh& mesh, const Visibility& visibility, DrawRanges& ranges) {
-  ranges.counts.clear();
-  ranges.offsets.clear();
-  std::uint32_t next = ~0u;
+void visible_runs(const ClusteredMesh& mesh, const Visibility& visibility, std::vector<Run>& runs) {
+  runs.clear();
   for (const Cluster& cluster : mesh.clusters) {
     const bool outside = std::any_of(std::begin(visibility.planes), std::end(visibility.planes), [&](const glm::vec4& plane) {
       return glm::dot(glm::vec3(plane), cluster.center) + plane.w < -cluster.radius;
@@ -111,12 +115,7 @@ void visible_ranges(const ClusteredMesh& mesh, const Visibility& visibility, Dra
                                   cluster.cutoff * glm::length(cluster.center - visibility.eye) + cluster.radius;
       if (away) continue;
     }
-    if (cluster.first == next) {
-      ranges.counts.back() += int(cluster.count * 3);
-    } else {
-      ranges.counts.push_back(int(cluster.count * 3));
-      ranges.offsets.push_back(reinterpret_cast<const void*>(std::uintptr_t(cluster.first) * sizeof(glm::uvec3)));
-    }
-    next = cluster.first + cluster.count;
+    if (!runs.empty() && runs.back().first + runs.back().count == cluster.first) runs.back().count += cluster.count;
+    else runs.push_back({cluster.first, cluster.count});
   }
 }

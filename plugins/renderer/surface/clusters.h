@@ -33,9 +33,8 @@ struct Visibility {
   glm::vec3 eye{0};                    ///< where it is; orthographic: unit direction in which it looks
 };
 
-/// Index ranges to draw, in bytes and counts for glMultiDrawElements; neighbors are joined.
-struct DrawRanges {
-  std::vector<int> counts;
-  std::vector<const void*> offsets;
+/// Runs of neighboring triangles to draw.
+struct Run {
+  std::uint32_t first, count;
 };
-void visible_ranges(const ClusteredMesh& mesh, const Visibility& visibility, DrawRanges& ranges);
+void visible_runs(const ClusteredMesh& mesh, const Visibility& visibility, std::vector<Run>& runs);

@@ -60,16 +60,36 @@ void MeshBuffers::upload(std::span<const glm::vec3> positions, std::span<const g
     array_.attribute(2, values_, 1, sizeof(float));
   }
   triangles_ = buffer_of(std::span<const glm::uvec3>(clusters_.triangles));
-  array_.elements(triangles_);
   cells_ = buffer_of(std::span<const std::uint32_t>(clusters_.cells));
-  // The GL has them now; the clusters alone are needed to choose what to draw.
-  clusters_.triangles = {};
-  clusters_.cells = {};
+  clusters_.cells = {};  // the GL has them now
 }
 
-void MeshBuffers::bind() const {
+void MeshBuffers::bind(const lumen::gl::Buffer& indices) const {
+  array_.elements(indices);
   array_.bind();
   glVertexAttrib3f(1, 0, 0, 0);  // what points without a normal read
   glVertexAttrib1f(2, 0);
   glBindBufferBase(GL_SHADER_STORAGE_BUFFER, 8, cells_.name());
+}
+
+void MeshBuffers::draw_all() const {
+  bind(triangles_);
+  glDrawElements(GL_TRIANGLES, GLsizei(clusters_.count * 3), GL_UNSIGNED_INT, nullptr);
+}
+
+void MeshBuffers::draw(const Visibility& visibility) {
+  visible_runs(clusters_, visibility, runs_);
+  if (runs_.empty()) return;
+  if (visibility.skip_backs) glEnable(GL_CULL_FACE);
+  if (runs_.size() == 1) {
+    bind(triangles_);
+    glDrawElements(GL_TRIANGLES, GLsizei(runs_[0].count * 3), GL_UNSIGNED_INT, reinterpret_cast<const void*>(std::uintptr_t(runs_[0].first) * sizeof(glm::uvec3)));
+  } else {
+    gathered_.clear();
+    for (const Run& run : runs_) gathered_.insert(gathered_.end(), &clusters_.triangles[run.first], &clusters_.triangles[run.first] + run.count);
+    visible_.write(std::as_bytes(std::span(gathered_)));
+    bind(visible_);
+    glDrawElements(GL_TRIANGLES, GLsizei(gathered_.size() * 3), GL_UNSIGNED_INT, nullptr);
+  }
+  glDisable(GL_CULL_FACE);
 }

@@ -13,13 +13,22 @@ class MeshBuffers {
  public:
   /// `attribute`: the array that colors, or null; its magnitude if it has several components.
   MeshBuffers(const lumen::Mesh& mesh, const lumen::Attribute* attribute);
-  void bind() const;
+  /// All triangles, in one call.
+  void draw_all() const;
+  /// What the visibility lets through, in one call: a call per run costs software GL more than the triangles.
+  void draw(const Visibility& visibility);
   const ClusteredMesh& clusters() const { return clusters_; }
 
+  std::uint32_t triangle_count() const { return clusters_.count; }
+
  private:
+  void bind(const lumen::gl::Buffer& indices) const;
   void upload(std::span<const glm::vec3> positions, std::span<const glm::vec3> normals, std::span<const float> values);
   ClusteredMesh clusters_;
   lumen::gl::Buffer positions_, normals_, values_, triangles_, cells_;
+  lumen::gl::Buffer visible_;       ///< indices that draw() gathered last
+  std::vector<Run> runs_;
+  std::vector<glm::uvec3> gathered_;
   lumen::gl::VertexArray array_;
 };
 

@@ -49,13 +49,8 @@ struct Surface : lumen::Renderer {
     if (buffers_ == nullptr) buffers_ = std::make_unique<MeshBuffers>(*data, attribute());
     for (int part = 0; part < int(draw.parts().size()); ++part) {
       draw.use("renderer/surface.glsl", part);
-      buffers_->bind();
-      if (draw.identifies()) {  // one call, so that primitives are numbered through
-        glDrawElements(GL_TRIANGLES, GLsizei(buffers_->clusters().count * 3), GL_UNSIGNED_INT, nullptr);
-        continue;
-      }
-      visible_ranges(buffers_->clusters(), visibility(draw, draw.parts()[std::size_t(part)]), ranges_);
-      glMultiDrawElements(GL_TRIANGLES, ranges_.counts.data(), GL_UNSIGNED_INT, ranges_.offsets.data(), GLsizei(ranges_.counts.size()));
+      if (draw.identifies()) buffers_->draw_all();  // primitives are numbered through
+      else buffers_->draw(visibility(draw, draw.parts()[std::size_t(part)]));
     }
   }
 
@@ -104,7 +99,6 @@ struct Surface : lumen::Renderer {
   }
 
   std::unique_ptr<MeshBuffers> buffers_;
-  DrawRanges ranges_;
 };
 
 }  // namespace

@@ -101,7 +101,7 @@ Edit number_field(const char* id, double& value, const NumberRange& range, float
   if (is_typing(item)) {
     const FontScope mono(it.mono);
     std::string text;
-    if (type_over(item, box.Min, box.Max, text)) {
+    if (type_over(id, box.Min, box.Max, text)) {
       if (const auto typed = calculated(text)) {
         value = range.integer ? std::round(*typed) : *typed;
         value = std::clamp(value, range.min, std::max(range.min, range.max));
@@ -137,7 +137,7 @@ Edit number_field(const char* id, double& value, const NumberRange& range, float
   if (is_typing(item)) {
     std::string ignored;
     const FontScope mono(it.mono);
-    type_over(item, box.Min, box.Max, ignored);
+    type_over(id, box.Min, box.Max, ignored);
   } else {
     draw_value(box.Min, box.Max, value, range, style);
   }

@@ -48,7 +48,7 @@ bool text_field(const char* id, std::string& text, float width, const char* hint
 bool search_field(const char* id, std::string& text, float width, const char* hint) {
   const Look& it = look();
   ImGui::SetNextItemWidth(width);
-  bool changed = ImGui::InputTextWithHint(id, hint, &text);
+  bool changed = ImGui::InputTextWithHint((std::string("##") + id).c_str(), hint, &text);
   record(id);
   if (text.empty()) return changed;
   const ImVec2 max = ImGui::GetItemRectMax(), next = ImGui::GetCursorScreenPos();
@@ -80,16 +80,23 @@ void begin_typing(ImGuiID item, const std::string& initial) { look().typing[item
 
 bool is_typing(ImGuiID item) { return look().typing.contains(item); }
 
-bool type_over(ImGuiID item, ImVec2 min, ImVec2 max, std::string& text) {
+bool type_over(const char* id, ImVec2 min, ImVec2 max, std::string& text) {
   Look& it = look();
+  const ImGuiID item = ImGui::GetID(id);
   const auto found = it.typing.find(item);
   if (found == it.typing.end()) return false;
   Typing& typing = found->second;
   const bool had = ImGui::TempInputIsActive(item);
   if (!had && typing.started) return finish(item, text);
-  typing.started = true;
+  if (!typing.started) {
+    // As ImGui's own drag fields do it: the text field takes the keyboard because it was asked to, not because of a click.
+    ImGuiContext& context = *ImGui::GetCurrentContext();
+    context.NavActivateId = context.NavActivateInputId = item;
+    context.NavActivateFlags = ImGuiActivateFlags_PreferInput;
+    typing.started = true;
+  }
   typing.text.resize(typed_limit);
-  ImGui::TempInputText({min, max}, item, "##typed", typing.text.data(), static_cast<int>(typed_limit), ImGuiInputTextFlags_AutoSelectAll);
+  ImGui::TempInputText({min, max}, item, id, typing.text.data(), static_cast<int>(typed_limit), ImGuiInputTextFlags_AutoSelectAll);
   typing.text.resize(typing.text.find('\0'));
   typing.frame = ImGui::GetFrameCount();
   return ImGui::GetActiveID() == item ? false : finish(item, text);

@@ -17,10 +17,10 @@ bool search_field(const char* id, std::string& text, float width, const char* hi
 /// Whether `text` has all words of the filter, whatever their case and order.
 bool matches(std::string_view text, std::string_view filter);
 
-/// Types over a control's rectangle, starting with `initial` selected. Begins at begin_typing; true once when a changed
-/// text was finished, which is then in `text`.
+/// Types over a control's rectangle, starting with `initial` selected. Begins at begin_typing (`item` = ImGui's id of the
+/// control); type_over, with the control's own `id`, is true once when a changed text was finished, which is then in `text`.
 void begin_typing(ImGuiID item, const std::string& initial);
 bool is_typing(ImGuiID item);
-bool type_over(ImGuiID item, ImVec2 min, ImVec2 max, std::string& text);
+bool type_over(const char* id, ImVec2 min, ImVec2 max, std::string& text);
 
 }  // namespace lumen::ui
