@@ -174,6 +174,7 @@ void Session::give_id(Instance& instance, const std::string& to) {
   const std::string from = instance.id_;
   contents_.by_id.erase(from);
   instance.id_ = to;
+  instance.table_->rename(to);
   contents_.by_id[to] = &instance;
   history_.renamed(from, to);
   structure_changed();

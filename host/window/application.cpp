@@ -163,7 +163,11 @@ void Application::take_keys(const std::vector<WindowEvent>& events) {
   // A control under the pointer has these to itself.
   const bool taken = look.keys_frame == ImGui::GetFrameCount();
   for (const WindowEvent& event : events) {
-    if (event.type != WindowEvent::Type::key || !event.down || dialog) continue;
+    if (event.type != WindowEvent::Type::key || !event.down) continue;
+    // Without ImGui's keyboard navigation, which would take the letter keys, popups do not know this key.
+    if (dialog && event.name == "Esc" && !typing && !browser_.is_open() && !question_.is_open())
+      ImGui::ClosePopupToLevel(std::max(0, ImGui::GetCurrentContext()->OpenPopupStack.Size - 1), true);
+    if (dialog) continue;
     const bool editing_key = event.name == "Del" || event.name == "Backspace" || (event.control && (event.name == "C" || event.name == "V"));
     if (taken && editing_key) continue;
     if (!event.repeated && commands_.press(event.name, event.control, event.shift, typing)) continue;
