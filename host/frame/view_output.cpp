@@ -68,6 +68,7 @@ std::shared_ptr<lumen::Image> ViewRenderer::State::image_of(const std::string& n
     const std::size_t stride = std::size_t(lumen::channels_of(texture->format()));
     const int border = geometry.border, width = texture->size().x;
     const glm::vec4 unproject = geometry.block.unproject;
+    const glm::mat4 to_world = glm::inverse(camera.view);
     for (int y = 0; y < size.y; ++y) {
       const int row = size.y - 1 - y + border;  // images begin at the top
       for (int x = 0; x < size.x; ++x) {
@@ -76,8 +77,10 @@ std::shared_ptr<lumen::Image> ViewRenderer::State::image_of(const std::string& n
         if (name == "position") {
           const glm::vec2 uv = (glm::vec2(x + border, row) + 0.5f) / glm::vec2(texture->size());
           const glm::vec2 plane = uv * glm::vec2(unproject) + glm::vec2(unproject.z, unproject.w);
-          const glm::vec2 place = camera.orthographic || std::isinf(from[0]) ? plane : plane * from[0];
-          to[0] = place.x, to[1] = place.y, to[2] = -from[0];
+          const glm::vec2 place = camera.orthographic ? plane : plane * from[0];
+          const glm::vec3 position = std::isinf(from[0]) ? glm::vec3(from[0])  // the background is nowhere, in every direction
+                                                          : glm::vec3(to_world * glm::vec4(place, -from[0], 1));
+          to[0] = position.x, to[1] = position.y, to[2] = position.z;
         } else if (name == "opacity") {
           to[0] = from[3];
         } else {

@@ -47,6 +47,15 @@ TEST(TestingScene, ShowsAUnitSphereFromTenUnitsAway) {
   EXPECT_THROW(depth.at(110, 0), Error);
 }
 
+TEST(TestingScene, GivesPositionsInTheWorld) {
+  Scene scene({110, 110});
+  scene.surface("ball", moved(*sphere(256, 0.5f), {0.2f, 0, 0.25f}));
+  const Pixels position = scene.layer("position");
+  EXPECT_NEAR(position.at(65, 55, 0), 0.21f, 1e-2f);  // a pixel is 0.02 units
+  EXPECT_NEAR(position.at(65, 55, 2), 0.75f, 1e-3f);
+  EXPECT_TRUE(std::isinf(position.at(0, 0, 0)));
+}
+
 TEST(TestingScene, LightsFromTheEye) {
   Scene scene({64, 64});
   scene.surface("ball", sphere(256), R"({"diffuse": "lambert", "diffuse_color": [0.5, 0.25, 1], "ambient_color": [0, 0, 0]})");
