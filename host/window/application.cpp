@@ -17,8 +17,8 @@
 
 namespace lumenshop {
 
-Application::Application(Workshop& workshop, GlfwWindow& window, Gui& gui, std::filesystem::path settings_file)
-    : workshop_(workshop), window_(window), gui_(gui), settings_file_(std::move(settings_file)), settings_(Settings::load(settings_file_)),
+Application::Application(Workshop& workshop, GlfwWindow& window, Gui& gui, Files files)
+    : workshop_(workshop), window_(window), gui_(gui), settings_file_(std::move(files.settings)), settings_(Settings::load(settings_file_)), restore_(std::move(files.state)),
       workbench_(workshop, [this](const std::string& message) { toasts_.show(lumen::Severity::warning, "That does not work", message); }),
       check_(workshop), view_(workshop), properties_(workshop.registry(), "editor.properties"), problems_(workshop.registry(), "editor.problems") {
   add_commands();
@@ -29,6 +29,7 @@ Application::Application(Workshop& workshop, GlfwWindow& window, Gui& gui, std::
   watch_ = std::make_unique<DescriptorWatch>(reloader_->descriptor(), GlfwWindow::wake);
   gui_.look().browse = [this](const std::string& from) { browse(from); };
   apply_look();
+  offer_restore();
 }
 
 Application::~Application() {
@@ -78,13 +79,14 @@ double Application::wake_at() const {
   };
   consider(view_.wake_at());
   consider(workbench_.next_tick());
-  const lumen::ui::Look& look = gui_.look();
-  if (look.wake_at > 0) consider(GlfwWindow::time() + look.wake_at - ImGui::GetTime());
+  consider(gui_.wake_at());
+  consider(restore_.next(workshop_.session()));
   if (!workshop_.scheduler().running().empty()) consider(GlfwWindow::time() + 0.1);
   return next;
 }
 
 void Application::frame(const std::vector<WindowEvent>& events) {
+  if (const auto replace = std::exchange(replace_, nullptr)) replace();
   if (std::exchange(apply_look_, false)) {
     apply_look();
     save_settings();
@@ -103,6 +105,7 @@ void Application::frame(const std::vector<WindowEvent>& events) {
   workshop_.session().update();
   workshop_.scheduler().update();
   view_.refresh(!gui_.look().editing.empty());
+  restore_.keep(workshop_.session(), GlfwWindow::time());
   gui_.end();
   if (const std::string title = this->title() + (workshop_.session().modified() ? " \xE2\x80\xA2" : "") + " - Lumenshop"; title != shown_title_) window_.set_title(shown_title_ = title);
 }
@@ -134,7 +137,8 @@ void Application::draw_panels(const std::vector<WindowEvent>& events) {
                                     .cancel = [this](const std::string& instance) { workshop_.scheduler().cancel(instance); }});
     if (drag_splitters(layout, shown_scale_, settings_.panels)) save_settings();
   }
-  toasts_.draw(layout.view);
+  if (figure_) ImGui::SetMouseCursor(ImGuiMouseCursor_None);
+  toasts_.draw(layout.view, figure_);
   browser_.draw();
   question_.draw();
   add_popup_.draw([this](const std::string& type) { add(type); });
@@ -159,7 +163,11 @@ void Application::take_keys(const std::vector<WindowEvent>& events) {
   // A control under the pointer has these to itself.
   const bool taken = look.keys_frame == ImGui::GetFrameCount();
   for (const WindowEvent& event : events) {
-    if (event.type != WindowEvent::Type::key || !event.down || dialog) continue;
+    if (event.type != WindowEvent::Type::key || !event.down) continue;
+    // Without ImGui's keyboard navigation, which would take the letter keys, popups do not know this key.
+    if (dialog && event.name == "Esc" && !typing && !browser_.is_open() && !question_.is_open())
+      ImGui::ClosePopupToLevel(std::max(0, ImGui::GetCurrentContext()->OpenPopupStack.Size - 1), true);
+    if (dialog) continue;
     const bool editing_key = event.name == "Del" || event.name == "Backspace" || (event.control && (event.name == "C" || event.name == "V"));
     if (taken && editing_key) continue;
     if (!event.repeated && commands_.press(event.name, event.control, event.shift, typing)) continue;

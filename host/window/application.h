@@ -18,6 +18,7 @@
 #include "window/live_frame_check.h"
 #include "window/outline.h"
 #include "window/question.h"
+#include "window/restore.h"
 #include "window/settings.h"
 #include "window/toasts.h"
 #include "window/view_panel.h"
@@ -28,11 +29,14 @@ namespace lumenshop {
 
 class Application {
  public:
-  /// `settings_file` is read now and written when something changes; empty = neither.
-  Application(Workshop& workshop, GlfwWindow& window, Gui& gui, std::filesystem::path settings_file);
+  struct Files {
+    std::filesystem::path settings;  ///< read now, written when something changes; empty = neither
+    std::filesystem::path state;     ///< the folder of copies of unsaved work; empty = none
+  };
+  Application(Workshop& workshop, GlfwWindow& window, Gui& gui, Files files);
   ~Application();
 
-  void open(const std::vector<std::filesystem::path>& files);  ///< at once; what fails becomes a toast
+  void open(const std::vector<std::filesystem::path>& files);  ///< between frames; what fails becomes a toast
   void frame(const std::vector<WindowEvent>& events);
   /// Jobs, builds, reloads. True if there is something new to draw.
   bool update();
@@ -64,6 +68,7 @@ class Application {
   void ask_to_save(std::function<void()> then = {});
   void save(const std::filesystem::path& file, const std::function<void()>& then);
   void unless_modified(const std::string& what, std::function<void()> then);
+  void offer_restore();
   void take_drop(const std::vector<std::filesystem::path>& files);
   void browse(const std::string& from);
   void screenshot();
@@ -80,6 +85,7 @@ class Application {
   Gui& gui_;
   std::filesystem::path settings_file_;
   Settings settings_;
+  Restore restore_;
   Toasts toasts_;
   CommandTable commands_;
   SessionWorkbench workbench_;
@@ -93,6 +99,7 @@ class Application {
   Question question_;
   AddPopup add_popup_;
   bool figure_ = false, closing_ = false, open_help_ = false;
+  std::function<void()> replace_;  ///< another session, before the next frame: this one still shows the old one's textures
   bool apply_look_ = false;   ///< theme or scale changed: before the next frame, for fonts cannot change within one
   std::string shown_title_;
   float shown_scale_ = 0;

@@ -34,7 +34,7 @@ void Application::ask_to_open() {
   std::vector<std::string> extensions = FormatCatalog(workshop_.registry()).readable();
   extensions.push_back(".json");
   browser_.open("Open a session or data", session().folder(), std::move(extensions), [this](const std::filesystem::path& file) {
-    unless_modified("opening another one", [this, file] { open({file}); });
+    unless_modified("opening another one", [this, file] { replace_ = [this, file] { open({file}); }; });
   });
 }
 
@@ -67,9 +67,26 @@ void Application::unless_modified(const std::string& what, std::function<void()>
   question_.ask("Save changes?", "The session has changes that are not saved. Save them before " + what + "?", {{"Save", save_first}, {"Discard", then}, {"Cancel"}});
 }
 
+void Application::offer_restore() {
+  auto leftover = restore_.find();
+  if (!leftover) return;
+  const std::string name = leftover->session.empty() ? "a session without a name" : leftover->session.filename().string();
+  question_.ask("Restore unsaved work?", "The program ended unexpectedly. It kept " + name + " as it was at " + leftover->time + ".",
+                {{"Restore", [this, leftover] { replace_ = [this, leftover] {
+                    view_.release();
+                    workshop_.close_views();
+                    attempt([&] {
+                      session().load(leftover->contents, leftover->folder);
+                      Restore::discard(*leftover);
+                    });
+                  }; }},
+                 {"Discard", [leftover] { Restore::discard(*leftover); }},
+                 {"Later"}});
+}
+
 void Application::take_drop(const std::vector<std::filesystem::path>& files) {
   if (files.empty()) return;
-  unless_modified("opening what was dropped", [this, files] { open(files); });
+  unless_modified("opening what was dropped", [this, files] { replace_ = [this, files] { open(files); }; });
 }
 
 void Application::browse(const std::string& from) {

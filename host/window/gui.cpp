@@ -105,6 +105,11 @@ void Gui::begin(const std::vector<WindowEvent>& events) {
   ImGui::NewFrame();
 }
 
+double Gui::wake_at() const {
+  // ImGui's clock stood at its last frame's time since then.
+  return look_.wake_at > 0 ? last_time_ + look_.wake_at - ImGui::GetTime() : 0;
+}
+
 void Gui::end() {
   ImGui::Render();
   window_.set_cursor(ImGui::GetMouseCursor());

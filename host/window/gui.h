@@ -24,6 +24,9 @@ class Gui {
   void begin(const std::vector<WindowEvent>& events);  ///< a frame
   void end();                                          ///< draws it to the default framebuffer
 
+  /// When a control asked for a frame though nothing happens, as GlfwWindow::time(); 0 = never.
+  double wake_at() const;
+
   /// A letter that is held down, such as "L"; empty if none is.
   const std::string& held_letter() const { return held_; }
 

@@ -30,6 +30,7 @@ void draw_menu_bar(const Rectangle& place, const CommandTable& commands, const s
   ImGui::Begin("##menu bar", nullptr,
                ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_MenuBar |
                    ImGuiWindowFlags_NoBringToFrontOnFocus);
+  ImGui::PopStyleVar();  // menus have the padding of other windows
   if (ImGui::BeginMenuBar()) {
     for (const char* menu : {"File", "Edit", "Add", "View", "Window", "Help"}) {
       const bool open = ImGui::BeginMenu(menu);
@@ -46,7 +47,6 @@ void draw_menu_bar(const Rectangle& place, const CommandTable& commands, const s
     ImGui::EndMenuBar();
   }
   ImGui::End();
-  ImGui::PopStyleVar();
   ImGui::PopStyleColor();
 }
 

@@ -83,7 +83,7 @@ void Script::press_keys(const std::string& chord, bool down) {
 
 glm::vec2 Script::aim(const Json& step, const std::string& place) {
   const auto found = places_.find(place);
-  if (found == places_.end() || found->second.frame < frames_ - frames_between_steps - 2) {
+  if (found == places_.end() || found->second.frame < frames_ - 1) {
     fail("there is no '" + place + "' on the screen");
     return {0, 0};
   }
@@ -178,7 +178,7 @@ void Script::begin(const Json& step) {
     expect(step);
   } else if (step.contains("expect_place")) {
     const auto found = places_.find(step["expect_place"].get<std::string>());
-    const bool there = found != places_.end() && found->second.frame >= frames_ - frames_between_steps - 2;
+    const bool there = found != places_.end() && found->second.frame >= frames_ - 1;
     if (there != step.value("there", true)) fail(step["expect_place"].get<std::string>() + (there ? " is on the screen" : " is not on the screen"));
   } else if (step.contains("expect_problems")) {
     const auto problems = application_->workbench().problems();

@@ -71,10 +71,10 @@ bool Toasts::draw_one(Toast& toast, std::size_t index, const Rectangle& view, fl
   return keep;
 }
 
-void Toasts::draw(const Rectangle& view) {
+void Toasts::draw(const Rectangle& view, bool errors_alone) {
   float bottom = view.max.y - lumen::ui::look()(8);
   for (std::size_t index = shown_.size(); index-- > 0;)
-    if (!draw_one(shown_[index], index, view, bottom)) shown_.erase(shown_.begin() + static_cast<std::ptrdiff_t>(index));
+    if ((!errors_alone || shown_[index].severity == lumen::Severity::error) && !draw_one(shown_[index], index, view, bottom)) shown_.erase(shown_.begin() + static_cast<std::ptrdiff_t>(index));
 }
 
 }  // namespace lumenshop

@@ -16,7 +16,7 @@ class Toasts {
  public:
   /// `details` are shown smaller, beneath.
   void show(lumen::Severity severity, std::string title, std::string details = {});
-  void draw(const Rectangle& view);
+  void draw(const Rectangle& view, bool errors_alone);
   bool empty() const { return shown_.empty(); }
   const std::vector<std::string>& log() const { return log_; }
 

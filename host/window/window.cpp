@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cstdio>
+#include <cstdlib>
 #include <optional>
 
 #include "installation.h"
@@ -10,6 +11,13 @@
 
 namespace lumenshop {
 namespace {
+
+/// $XDG_STATE_HOME/lumenshop, by default ~/.local/state/lumenshop; empty without a home.
+std::filesystem::path state_folder() {
+  if (const char* state = std::getenv("XDG_STATE_HOME"); state && *state == '/') return std::filesystem::path(state) / "lumenshop";
+  const char* home = std::getenv("HOME");
+  return home && *home ? std::filesystem::path(home) / ".local/state/lumenshop" : std::filesystem::path();
+}
 
 constexpr int frames_after_event = 3;  // ImGui settles a change over up to three frames
 
@@ -35,7 +43,8 @@ int show_window(Workshop& workshop, const WindowSetup& setup) {
   InputQueue queue;
   GlfwWindow window(setup.size, "Lumenshop", queue);
   Gui gui(window);
-  Application application(workshop, window, gui, script ? std::filesystem::path() : Installation::user_config() / "ui.json");
+  const Application::Files files = script ? Application::Files{} : Application::Files{Installation::user_config() / "ui.json", state_folder()};
+  Application application(workshop, window, gui, files);
   if (script) script->attach(application, gui, window, queue);
   if (!setup.files.empty()) application.open(setup.files);
 

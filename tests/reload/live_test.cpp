@@ -11,6 +11,7 @@
 #include <unistd.h>
 
 #include "frame/headless.h"
+#include "frame/shader_library.h"
 #include "installation.h"
 #include "modules/reloader.h"
 #include "window/live_frame_check.h"
@@ -141,7 +142,7 @@ TEST_F(LiveReload, AnEditedShaderIsSeenInTheNextFrameAndABrokenOneKeepsThePictur
   EXPECT_NEAR(center(), full / 2, full * 1e-4);
   const auto problems = view().problems();
   ASSERT_FALSE(problems.empty());
-  EXPECT_EQ(fs::path(problems[0].file).filename(), "lambert.glsl");
+  EXPECT_EQ(fs::path(problems[0].file).filename(), "lambert.glsl") << problems[0].message;
   EXPECT_EQ(problems[0].line, 2);
 
   write_lambert(file, "return s.diffuse_color * l.radiance * max(dot(s.normal, l.direction), 0.0);");

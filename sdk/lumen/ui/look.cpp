@@ -58,7 +58,7 @@ void text_elided(ImDrawList* list, ImVec2 position, float width, std::string_vie
 
 bool begin_tooltip() {
   constexpr double delay = 0.5;
-  if (!ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenDisabled) || ImGui::IsMouseDown(0)) return false;
+  if (!ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenDisabled) || ImGui::IsMouseDown(0) || ImGui::IsAnyItemActive()) return false;
   // The time since the pointer came to rest on this item, kept with the window: ImGui 1.86 has no delayed tooltips.
   ImGuiStorage* storage = ImGui::GetStateStorage();
   const ImVec2 corner = ImGui::GetItemRectMin();

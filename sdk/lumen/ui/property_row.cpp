@@ -47,8 +47,9 @@ void fill_tooltip(const Workbench& workbench, const std::string& path, const Pro
   if (!spec.options.unit.empty()) facts += (facts.empty() ? "" : " ") + spec.options.unit;
   if (!spec.output && spec.type != ValueType::data) facts += (facts.empty() ? "default " : ", default ") + workbench.to_json(spec.default_value).substr(0, 80);
   if (!facts.empty()) text(facts, colors.label);
+  if (const auto* data = std::get_if<DataPointer>(&state.value); data && *data) text((*data)->summary(), colors.label);
   if (!state.link.empty()) text("driven by " + state.link + (state.expression.empty() ? "" : " as " + state.expression), colors.driven);
-  if (!state.no_effect.empty()) text("no effect: " + state.no_effect, colors.warning);
+  if (!state.no_effect.empty()) text(state.no_effect, colors.warning);
   if (!state.error.empty()) text(state.error, colors.error);
 }
 
@@ -139,7 +140,7 @@ void property_row(Workbench& workbench, const std::string& instance, const Prope
     ImGui::SetCursorScreenPos({corner.x + mark + label_width, ImGui::GetCursorScreenPos().y});
     formula(workbench, path, state, field_width);
   }
-  if (!state.no_effect.empty()) note_beneath("no effect: " + state.no_effect, mark + label_width, it.colors.dim);
+  if (!state.no_effect.empty()) note_beneath(state.no_effect, mark + label_width, it.colors.dim);
   if (!state.error.empty()) note_beneath(state.error, mark + label_width, it.colors.error);
 
   const bool on_row = ImGui::IsWindowHovered() && ImGui::IsMouseHoveringRect(corner, {corner.x + total, bottom});

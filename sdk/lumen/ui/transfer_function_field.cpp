@@ -122,7 +122,7 @@ Edit range_and_maps(TransferFunction& function, float width) {
   }
   ImGui::SameLine(0, gap);
   ImGui::SetNextItemWidth(each);
-  if (ImGui::BeginCombo("##maps", "Color map")) {
+  if (ImGui::BeginCombo("##maps", "Map")) {
     for (const std::string_view name : color_map_names()) {
       if (ImGui::Selectable(std::string(name).c_str())) {
         function = with_colors(function, name);
