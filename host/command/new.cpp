@@ -95,7 +95,7 @@ int run_new(const NewOptions& options) {
   const Path folder = options.folder.empty() ? (sources.empty() ? std::filesystem::current_path() : sources) : std::filesystem::absolute(options.folder);
   const bool in_tree = std::filesystem::exists(folder / "sdk/lumen/lumen.h");
 
-  Words words{{"kind", options.kind}, {"name", options.name}, {"Title", title(options.name)},
+  Words words{{"kind", options.kind}, {"name", options.name}, {"Class", camel(options.name)}, {"Title", title(options.name)},
               {"test", camel(options.kind) + camel(options.name)}, {"root", installation.root.string()},
               {"include", sources.empty() ? (installation.root / "include").string()
                                           : (sources / "sdk").string() + ";" + (installation.root / "include").string()}};

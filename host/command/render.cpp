@@ -43,7 +43,7 @@ std::shared_ptr<lumen::Image> picture_of(Offscreen& offscreen, const RenderOptio
 int run_render(const RenderOptions& options, const std::vector<std::filesystem::path>& plugin_folders) {
   const std::vector<std::string> layers = layers_of(options);
   Offscreen offscreen({.files = options.files, .plugin_folders = plugin_folders, .overrides = options.overrides,
-                       .view = options.view, .size = options.size, .warm_worker = "openimageio"});
+                       .view = options.view, .size = options.size, .warm_worker = options.output.extension() == ".png" ? "png" : "openimageio"});
   Workshop& workshop = offscreen.workshop();
   const FormatCatalog formats(workshop.registry());
   Instance& exporter = formats.exporter_of(options.output, lumen::DataKind::image);

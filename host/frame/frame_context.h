@@ -20,6 +20,7 @@ struct FrameContext {
   Shading& shading;
   PassLog& log;
   LayerStore& layers;               ///< of this sample's set
+  const LayerStore& centers;        ///< of the sample at the pixels' centers, whose occlusion serves all samples of a pixel
   const ViewScene& scene;
   const ViewGeometry& geometry;
   const lumen::gl::Buffer& frame_block;

@@ -172,7 +172,7 @@ std::string GlslFile::emit(Stage stage, std::span<const std::string_view> entrie
   std::string text;
   for (std::size_t i = 0; i < items_.size(); ++i) {
     if (!taken[i] || (items_[i].stage != Stage::any && items_[i].stage != stage)) continue;
-    text += "#line " + std::to_string(items_[i].line) + " " + std::to_string(number) + "\n";
+    text += "#line " + std::to_string(number * lines_per_file + items_[i].line) + "\n";
     text += text_of(items_[i], renamed, prefix) + "\n";
   }
   return text;

@@ -14,6 +14,10 @@
 
 namespace lumenshop {
 
+/// #line directives carry the file in the line: file number * this + line. Drivers drop the directive's own file number
+/// in some messages (Mesa, for expressions). No file has as many lines.
+constexpr int lines_per_file = 1 << 20;
+
 class GlslFile {
  public:
   enum class Stage { any, vertex, fragment };
@@ -29,7 +33,7 @@ class GlslFile {
   bool mentions(std::string_view identifier) const { return mentioned_.contains(identifier); }
 
   /// The items of `stage` (and of any) that `entries` reach, renamed with `prefix`; `Properties` becomes
-  /// prefix + "Properties". `number` is the file's in #line directives. Empty entries: everything, not renamed (lib files).
+  /// prefix + "Properties". `number` is the file's in #line directives, from 1. Empty entries: everything, not renamed (lib files).
   std::string emit(Stage stage, std::span<const std::string_view> entries, std::string_view prefix, int number) const;
 
  private:

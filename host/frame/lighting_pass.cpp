@@ -13,7 +13,7 @@ Visibility visibility_of(const FrameContext& context) {
   visibility.attenuates = occlusion->attenuates();
   for (const lumen::Writes* writes : occlusion->writes())
     if (writes->layer() == "occlusion" || writes->layer() == "illumination") visibility.layer = writes->layer();
-  if (context.layers.find(visibility.layer) == nullptr) visibility.layer.clear();
+  if (context.centers.find(visibility.layer) == nullptr) visibility.layer.clear();
   return visibility;
 }
 
@@ -44,7 +44,7 @@ void run_lighting_pass(const FrameContext& context, bool summands) {
                                 .add(context.light_key)
                                 .add(context.shading.value_revision())
                                 .add(layers.revision("normal"))
-                                .add(visibility.layer.empty() ? 0 : layers.revision(visibility.layer))
+                                .add(visibility.layer.empty() ? 0 : context.centers.revision(visibility.layer))
                                 .add(context.shaders.revision("host/lighting.glsl"))
                                 .value();
   context.log.run("lighting", context.set, key, [&] {
@@ -77,7 +77,7 @@ void run_lighting_pass(const FrameContext& context, bool summands) {
     program->bind("lumen_layer_normal", layers.find("normal")->name());
     program->bind("lumen_layer_depth", layers.find("depth")->name());
     if (albedo != nullptr) program->bind("lumen_layer_albedo", albedo->name());
-    if (!visibility.layer.empty()) program->bind("lumen_visibility_layer", layers.find(visibility.layer)->name());
+    if (!visibility.layer.empty()) program->bind("lumen_visibility_layer", context.centers.find(visibility.layer)->name());
     // Only covered pixels: the triangle lies at the far plane, behind what was drawn.
     glDisable(GL_BLEND);
     glEnable(GL_DEPTH_TEST);

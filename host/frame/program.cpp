@@ -6,22 +6,24 @@
 
 #include <glm/gtc/type_ptr.hpp>
 
+#include "frame/glsl_file.h"
+
 namespace lumenshop {
 namespace {
 
-/// Mesa writes "2:14(7): error: text", others "2(14) : error C0000: text": file, line, perhaps column.
+/// Mesa writes "0:14(7): error: text", others "0(14) : error C0000: text": a number that is not used, line, perhaps column.
 CompilerMessage parse_message(const std::string& line) {
   CompilerMessage message{.text = line};
   const char* at = line.c_str();
   if (line.rfind("ERROR: ", 0) == 0) at += 7;
   char* end = nullptr;
-  const long file = std::strtol(at, &end, 10);
+  std::strtol(at, &end, 10);
   if (end == at || (*end != ':' && *end != '(')) return message;
   const char* number = end + 1;
   const long row = std::strtol(number, &end, 10);
   if (end == number) return message;
-  message.file = int(file);
-  message.line = int(row);
+  message.file = int(row / lines_per_file);
+  message.line = int(row % lines_per_file);
   if (*end == '(') {
     message.column = int(std::strtol(end + 1, &end, 10));
     if (*end == ')') ++end;

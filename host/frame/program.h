@@ -12,7 +12,7 @@
 
 namespace lumenshop {
 
-/// A message of the driver's compiler: `file` is a number of the #line directives, -1 if there was none.
+/// A message of the driver's compiler: `file` is the number of the #line directives, 0 = generated text, -1 if none was said.
 struct CompilerMessage {
   int file = -1, line = 0, column = 0;
   std::string text;

@@ -16,7 +16,7 @@ int ProgramText::number_of(const std::string& name) {
 }
 
 void ProgramText::generated(std::string_view text) {
-  text_ += "#line 1 0\n";
+  text_ += "#line 1\n";
   text_ += text;
   text_ += "\n";
 }

@@ -57,13 +57,17 @@ void ViewRenderer::State::find() {
 
 void ViewRenderer::State::tell_interactors() {
   const float aspect = float(size.x) / float(size.y);
-  if (scene.bounds.empty() || (scene.bounds.min == told_bounds.min && scene.bounds.max == told_bounds.max && aspect == told_aspect)) return;
+  std::set<lumen::Plugin*> all;
+  for (const auto* list : {&scene.interactors, &scene.lights})
+    for (const Instance* instance : *list) all.insert(instance->plugin());
+  if (scene.camera != nullptr) all.insert(scene.camera->plugin());
+  // A reloaded interactor is another object, which knows nothing of the scene yet.
+  const bool known = scene.bounds.min == told_bounds.min && scene.bounds.max == told_bounds.max && aspect == told_aspect && all == told;
+  if (scene.bounds.empty() || known) return;
   told_bounds = scene.bounds;
   told_aspect = aspect;
-  std::set<Instance*> all(scene.interactors.begin(), scene.interactors.end());
-  all.insert(scene.lights.begin(), scene.lights.end());
-  if (scene.camera != nullptr) all.insert(scene.camera);
-  for (Instance* instance : all) instance->as<lumen::Interactor>(Kind::interactor)->scene_changed(scene.bounds, aspect);
+  told = all;
+  for (lumen::Plugin* plugin : all) static_cast<lumen::Interactor*>(plugin)->scene_changed(scene.bounds, aspect);
   session.update();
 }
 
@@ -72,7 +76,7 @@ FrameContext ViewRenderer::State::context(int set, const ViewGeometry& sample, L
   // Time is not part of it: only what asks for the time depends on it.
   FrameBlock timeless = sample.block;
   timeless.transparent_extent.w = 0;
-  return {session, shaders, values, shading, log, layers, scene, sample, frame_block, light_block,
+  return {session, shaders, values, shading, log, layers, centers, scene, sample, frame_block, light_block,
           Hash().add(timeless).add(sample.size()).value(), Hash().add(lights).value(), lights.count.x, set};
 }
 
@@ -89,11 +93,12 @@ std::string ViewRenderer::State::draw_scene(int set, glm::vec2 jitter, LayerStor
     return surface.instance->as<lumen::Renderer>(Kind::renderer)->colors_itself();
   });
   run_geometry_pass(frame, {.albedo = albedo, .id = set == 0 && requested.contains("id")});
-  if (scene.occlusion != nullptr) {
+  if (scene.occlusion != nullptr && set == 0) {
     PluginPass pass(frame, *scene.occlusion, memories[scene.occlusion->id()], {}, {});
     pass.run([&](PluginPass& in) { scene.occlusion->as<lumen::Occlusion>(Kind::occlusion)->render(in); });
-  } else {
+  } else if (set == 0) {
     layers.drop("occlusion");
+    layers.drop("illumination");
   }
   const bool summands = requested.contains("ambient") || requested.contains("diffuse") || requested.contains("specular");
   run_lighting_pass(frame, summands);

@@ -41,6 +41,7 @@ struct ViewRenderer::State {
   std::uint64_t cropped_revision = 0;
   lumen::Bounds told_bounds;        ///< what interactors know
   float told_aspect = 0;
+  std::set<lumen::Plugin*> told;    ///< compared, never called
 
   std::uint64_t drawn_session = 0, drawn_shaders = 0;  ///< revisions of the last draw
   bool stale = true;                ///< size or requests changed

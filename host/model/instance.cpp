@@ -78,6 +78,7 @@ void Instance::exchange(Object& object) {
   std::swap(table_, object.table);
   std::swap(plugin_, object.plugin);
   std::swap(generation_, object.generation);
+  table_->rename(id_);
   replaced_ = before.shading + 1;  // more than any sum so far, whatever the new table starts with
   revisions_ = {};
   was_enabled_ = enabled();

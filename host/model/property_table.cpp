@@ -70,16 +70,8 @@ bool has_value(const Slot& slot) { return slot.set || slot.link || !slot.unresol
 }  // namespace
 
 PropertyTable::PropertyTable(Session& session, Instance& owner, Json kept)
-    : session_(&session), owner_(&owner), last_id_(owner.id()), kept_(std::move(kept)) {}
+    : session_(&session), owner_(&owner), id_(owner.id()), kept_(std::move(kept)) {}
 PropertyTable::~PropertyTable() = default;
-
-void PropertyTable::close() {
-  if (closed_) return;
-  last_id_ = owner_->id();
-  closed_ = true;
-}
-
-const std::string& PropertyTable::id() const { return closed_ ? last_id_ : owner_->id(); }
 
 int PropertyTable::slot_of(std::string_view property) const {
   const auto found = slot_by_id_.find(property);

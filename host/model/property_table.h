@@ -29,8 +29,8 @@ class PropertyTable final : public lumen::Binding {
   /// The table of the object that this one's replaces: values of the same property go over, converted where types differ.
   void inherit(PropertyTable& predecessor) { predecessor_ = &predecessor; }
   void constructed();                            ///< the object is complete: from now on its writes count as a person's
-  void close();
-  bool closed() const { return closed_; }
+  void close() { closed_ = true; }               ///< touches nothing: the instance may be gone already
+  void rename(const std::string& id) { id_ = id; }
 
   const std::vector<std::unique_ptr<Slot>>& slots() const { return slots_; }
   int slot_of(std::string_view property) const;  ///< -1 if not declared now
@@ -61,7 +61,7 @@ class PropertyTable final : public lumen::Binding {
   const std::vector<std::string>& conversions() const { return conversions_; }  ///< what inherit() had to change
 
   // lumen::Binding
-  const std::string& id() const override;
+  const std::string& id() const override { return id_; }
   int declare(lumen::PropertySpec spec) override;
   void retract(int slot) override;
   const lumen::PropertySpec& spec(int slot) const override { return slots_[slot]->spec; }
@@ -80,7 +80,7 @@ class PropertyTable final : public lumen::Binding {
   Instance* owner_;
   PropertyTable* predecessor_ = nullptr;
   bool constructing_ = true, closed_ = false;
-  std::string last_id_;                          ///< of a closed table
+  std::string id_;                               ///< its own: a closed table outlives the instance
   std::vector<std::unique_ptr<Slot>> slots_;
   std::map<std::string, int, std::less<>> slot_by_id_;
   Json kept_;

@@ -138,10 +138,11 @@ void Session::record(Change change) {
 
 Instance& Session::place(const std::string& id, const std::string& type, int position) {
   auto& list = type == "view" ? contents_.views : contents_.plugins;
-  const auto at = position < 0 || position > static_cast<int>(list.size()) ? list.end() : list.begin() + position;
-  Instance& instance = **list.insert(at, std::make_unique<Instance>(*this, id, type));
+  const bool last = position < 0 || position >= static_cast<int>(list.size());
+  Instance& instance = **list.insert(last ? list.end() : list.begin() + position, std::make_unique<Instance>(*this, id, type));
   contents_.by_id[id] = &instance;
-  renumber();
+  if (!last) renumber();
+  else if (type != "view") instance.number_ = static_cast<int>(list.size());
   structure_changed();
   return instance;
 }
@@ -173,6 +174,7 @@ void Session::give_id(Instance& instance, const std::string& to) {
   const std::string from = instance.id_;
   contents_.by_id.erase(from);
   instance.id_ = to;
+  instance.table_->rename(to);
   contents_.by_id[to] = &instance;
   history_.renamed(from, to);
   structure_changed();

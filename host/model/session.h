@@ -136,7 +136,7 @@ class Session {
   Json to_json(const std::filesystem::path& folder) const;
   void replace(Json json, std::filesystem::path file, std::filesystem::path folder, const std::string& name);
   void fill(const Json& json);
-  void fill_entries(const Json& entries, bool views, Json& kept);
+  void fill_entries(const Json& entries, bool views, Json& kept, std::vector<std::pair<Instance*, const Json*>>& placed);
 
   // State.
   std::string error_of(const Slot& slot) const;

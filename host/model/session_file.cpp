@@ -88,17 +88,17 @@ void Session::fill(const Json& json) {
     else keep(key, value, "this version does not know the session's \"" + key.substr(0, 80) + "\"");
   }
   // All ids first: links and references may point forward.
-  if (json.contains("plugins")) fill_entries(json["plugins"], false, contents_.kept_plugins);
-  if (json.contains("views")) fill_entries(json["views"], true, contents_.kept_views);
-  for (const bool views : {false, true})
-    for (const auto& instance : views ? contents_.views : contents_.plugins) {
-      Json properties = json[views ? "views" : "plugins"][instance->id()];
-      if (!views) properties.erase("type");
-      instance->create(factory_, std::move(properties));
-    }
+  std::vector<std::pair<Instance*, const Json*>> placed;
+  if (json.contains("plugins")) fill_entries(json["plugins"], false, contents_.kept_plugins, placed);
+  if (json.contains("views")) fill_entries(json["views"], true, contents_.kept_views, placed);
+  for (const auto& [instance, entry] : placed) {
+    Json properties = *entry;
+    if (instance->type() != "view") properties.erase("type");
+    instance->create(factory_, std::move(properties));
+  }
 }
 
-void Session::fill_entries(const Json& entries, bool views, Json& kept) {
+void Session::fill_entries(const Json& entries, bool views, Json& kept, std::vector<std::pair<Instance*, const Json*>>& placed) {
   for (const auto& [id, entry] : entries.items()) {
     try {
       if (!entry.is_object()) throw lumen::Error(id.substr(0, 80), views ? "a view is an object of properties" : "a plugin is an object with a \"type\"");
@@ -109,7 +109,7 @@ void Session::fill_entries(const Json& entries, bool views, Json& kept) {
         type = found->get<std::string>();
       }
       check_free(id);
-      place(id, type, -1);
+      placed.emplace_back(&place(id, type, -1), &entry);
     } catch (const lumen::Error& error) {
       append(kept, id, entry);
       contents_.problems.push_back({.severity = lumen::Severity::error, .instance = id.substr(0, 80), .file = contents_.file.string(),

@@ -4,7 +4,7 @@
 
 namespace {
 
-struct Plugin : lumen::Ambient {
+struct @Class@ : lumen::Ambient {
   using Ambient::Ambient;
 
   lumen::Property<float> from_below{this, "from_below", 0.5f, {.min = 0, .max = 1, .doc = "how much of the light arrives from below"}};
@@ -12,4 +12,4 @@ struct Plugin : lumen::Ambient {
 
 }  // namespace
 
-LUMEN_PLUGIN(Plugin, "ambient.@name@", "Ambient light, brighter from above.")
+LUMEN_PLUGIN(@Class@, "ambient.@name@", "Ambient light, brighter from above.")

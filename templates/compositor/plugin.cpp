@@ -4,7 +4,7 @@
 
 namespace {
 
-struct Plugin : lumen::Compositor {
+struct @Class@ : lumen::Compositor {
   using Compositor::Compositor;
 
   lumen::Property<lumen::Color> tint{this, "tint", {1, 0.9f, 0.75f}, {.min = 0, .max = 1, .doc = "what the picture is multiplied by"}};
@@ -14,4 +14,4 @@ struct Plugin : lumen::Compositor {
 
 }  // namespace
 
-LUMEN_PLUGIN(Plugin, "compositor.@name@", "Tints the picture.")
+LUMEN_PLUGIN(@Class@, "compositor.@name@", "Tints the picture.")

@@ -4,7 +4,7 @@
 
 namespace {
 
-struct Plugin : lumen::Diffuse {
+struct @Class@ : lumen::Diffuse {
   using Diffuse::Diffuse;
 
   lumen::Property<int> steps{this, "steps", 4, {.min = 1, .max = 32, .doc = "levels between dark and lit"}};
@@ -12,4 +12,4 @@ struct Plugin : lumen::Diffuse {
 
 }  // namespace
 
-LUMEN_PLUGIN(Plugin, "diffuse.@name@", "Diffuse light in steps. Lake et al., NPAR 2000.")
+LUMEN_PLUGIN(@Class@, "diffuse.@name@", "Diffuse light in steps. Lake et al., NPAR 2000.")

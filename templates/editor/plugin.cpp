@@ -6,7 +6,7 @@
 
 namespace {
 
-struct Plugin : lumen::Editor {
+struct @Class@ : lumen::Editor {
   using Editor::Editor;
 
   std::string title() const override { return "@Title@"; }
@@ -19,4 +19,4 @@ struct Plugin : lumen::Editor {
 
 }  // namespace
 
-LUMEN_PLUGIN(Plugin, "editor.@name@", "A panel that lists the instances of the session.")
+LUMEN_PLUGIN(@Class@, "editor.@name@", "A panel that lists the instances of the session.")

@@ -8,7 +8,7 @@
 
 namespace {
 
-struct Plugin : lumen::Exporter {
+struct @Class@ : lumen::Exporter {
   using Exporter::Exporter;
 
   lumen::Input<lumen::Mesh> mesh{this, "mesh", {.doc = "whose points are written"}};
@@ -30,4 +30,4 @@ struct Plugin : lumen::Exporter {
 
 }  // namespace
 
-LUMEN_PLUGIN(Plugin, "exporter.@name@", "Points of a surface as text, one per line.")
+LUMEN_PLUGIN(@Class@, "exporter.@name@", "Points of a surface as text, one per line.")

@@ -5,7 +5,7 @@
 
 namespace {
 
-struct Plugin : lumen::Filter {
+struct @Class@ : lumen::Filter {
   using Filter::Filter;
 
   lumen::Input<lumen::Mesh> input{this, "input", {.doc = "the surface"}};
@@ -32,4 +32,4 @@ struct Plugin : lumen::Filter {
 
 }  // namespace
 
-LUMEN_PLUGIN(Plugin, "filter.@name@", "Moves each point of a surface along its normal.")
+LUMEN_PLUGIN(@Class@, "filter.@name@", "Moves each point of a surface along its normal.")

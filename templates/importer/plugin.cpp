@@ -8,7 +8,7 @@
 
 namespace {
 
-struct Plugin : lumen::Importer {
+struct @Class@ : lumen::Importer {
   using Importer::Importer;
 
   lumen::Property<float> radius{this, "radius", 1.0f, {.min = 0.01, .max = 100, .unit = "world", .doc = "of the ring"}};
@@ -46,4 +46,4 @@ struct Plugin : lumen::Importer {
 
 }  // namespace
 
-LUMEN_PLUGIN(Plugin, "importer.@name@", "A torus.")
+LUMEN_PLUGIN(@Class@, "importer.@name@", "A torus.")

@@ -4,7 +4,7 @@
 
 namespace {
 
-struct Plugin : lumen::Interactor {
+struct @Class@ : lumen::Interactor {
   using Interactor::Interactor;
 
   lumen::Property<std::string> key{this, "key", std::string("K"), {.doc = "which key it listens to", .affects = lumen::Affects::nothing}};
@@ -19,4 +19,4 @@ struct Plugin : lumen::Interactor {
 
 }  // namespace
 
-LUMEN_PLUGIN(Plugin, "interactor.@name@", "A key that counts how often it was pressed.")
+LUMEN_PLUGIN(@Class@, "interactor.@name@", "A key that counts how often it was pressed.")

@@ -4,7 +4,7 @@
 
 namespace {
 
-struct Plugin : lumen::Occlusion {
+struct @Class@ : lumen::Occlusion {
   using Occlusion::Occlusion;
 
   lumen::Property<float> radius{this, "radius", 8.0f, {.min = 1, .max = 64, .unit = "pixels", .doc = "how far the surroundings reach"}};
@@ -18,4 +18,4 @@ struct Plugin : lumen::Occlusion {
 
 }  // namespace
 
-LUMEN_PLUGIN(Plugin, "occlusion.@name@", "Occlusion where the surface lies deeper than its surroundings. Luft et al., SIGGRAPH 2006.")
+LUMEN_PLUGIN(@Class@, "occlusion.@name@", "Occlusion where the surface lies deeper than its surroundings. Luft et al., SIGGRAPH 2006.")

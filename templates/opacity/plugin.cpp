@@ -4,7 +4,7 @@
 
 namespace {
 
-struct Plugin : lumen::Opacity {
+struct @Class@ : lumen::Opacity {
   using Opacity::Opacity;
 
   lumen::Property<float> alpha{this, "alpha", 0.5f, {.min = 0, .max = 1, .doc = "opacity at the near end of the scene"}};
@@ -13,4 +13,4 @@ struct Plugin : lumen::Opacity {
 
 }  // namespace
 
-LUMEN_PLUGIN(Plugin, "opacity.@name@", "Opacity that falls off with the distance to the eye.")
+LUMEN_PLUGIN(@Class@, "opacity.@name@", "Opacity that falls off with the distance to the eye.")

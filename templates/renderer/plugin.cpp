@@ -6,7 +6,7 @@
 
 namespace {
 
-struct Plugin : lumen::Renderer {
+struct @Class@ : lumen::Renderer {
   using Renderer::Renderer;
 
   lumen::Input<lumen::Mesh> mesh{this, "mesh", {.doc = "whose points are drawn; it needs normals"}};
@@ -47,4 +47,4 @@ struct Plugin : lumen::Renderer {
 
 }  // namespace
 
-LUMEN_PLUGIN(Plugin, "renderer.@name@", "The points of a surface as lit squares.")
+LUMEN_PLUGIN(@Class@, "renderer.@name@", "The points of a surface as lit squares.")

@@ -4,7 +4,7 @@
 
 namespace {
 
-struct Plugin : lumen::Specular {
+struct @Class@ : lumen::Specular {
   using Specular::Specular;
 
   lumen::Property<float> strength{this, "strength", 1.0f, {.min = 0, .max = 4, .doc = "multiplies the highlight"}};
@@ -12,4 +12,4 @@ struct Plugin : lumen::Specular {
 
 }  // namespace
 
-LUMEN_PLUGIN(Plugin, "specular.@name@", "Highlights of the mirrored light. Phong, CACM 1975.")
+LUMEN_PLUGIN(@Class@, "specular.@name@", "Highlights of the mirrored light. Phong, CACM 1975.")

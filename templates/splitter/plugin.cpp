@@ -8,7 +8,7 @@
 
 namespace {
 
-struct Plugin : lumen::Splitter {
+struct @Class@ : lumen::Splitter {
   using Splitter::Splitter;
 
   lumen::Property<int> slices{this, "slices", 3, {.min = 1, .max = 16, .doc = "how many parts"}};
@@ -32,4 +32,4 @@ struct Plugin : lumen::Splitter {
 
 }  // namespace
 
-LUMEN_PLUGIN(Plugin, "splitter.@name@", "Slices of a surface, moved apart along the x axis.")
+LUMEN_PLUGIN(@Class@, "splitter.@name@", "Slices of a surface, moved apart along the x axis.")

@@ -6,7 +6,7 @@
 
 namespace {
 
-struct Plugin : lumen::Transparency {
+struct @Class@ : lumen::Transparency {
   using Transparency::Transparency;
 
   lumen::Property<float> gain{this, "gain", 1.0f, {.min = 0, .max = 4, .doc = "multiplies the color"}};
@@ -26,4 +26,4 @@ struct Plugin : lumen::Transparency {
 
 }  // namespace
 
-LUMEN_PLUGIN(Plugin, "transparency.@name@", "The mean color of all transparent layers, whatever their order. Bavoil, Myers, 2008.")
+LUMEN_PLUGIN(@Class@, "transparency.@name@", "The mean color of all transparent layers, whatever their order. Bavoil, Myers, 2008.")

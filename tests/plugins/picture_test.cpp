@@ -1,6 +1,7 @@
 /// exporter.image and importer.image: what is written comes back.
+#include <algorithm>
 #include <cmath>
-#include <fstream>
+#include <limits>
 
 #include <lumen/image.h>
 

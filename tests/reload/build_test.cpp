@@ -2,6 +2,7 @@
 #include "reload/reload_scene.h"
 
 #include <fstream>
+#include <thread>
 
 namespace lumenshop::tests {
 namespace {
@@ -81,10 +82,13 @@ TEST_F(Build, IsEndedByANewerChange) {
   write("slow");
   ASSERT_EQ(events(reloader()).size(), 1u);
   ASSERT_TRUE(reloader().building());
+  std::this_thread::sleep_for(std::chrono::milliseconds(300));  // until it has read the source and sleeps
   write("second.so");
+  const auto begin = std::chrono::steady_clock::now();
   const std::vector<ReloadEvent> seen = events(reloader(), 2);
   ASSERT_EQ(seen.size(), 2u);
   EXPECT_EQ(seen.back().state, BuildState::loaded);
+  EXPECT_LT(std::chrono::steady_clock::now() - begin, std::chrono::seconds(10)) << "the first build would have slept for 30 s";
 }
 
 TEST_F(Build, ThatChangesNothingLeavesTheBadgeIdle) {

@@ -66,7 +66,7 @@ TEST_F(Window, NumbersAreDraggedTypedResetAndUndone) {
     {"drag": "properties/wall.shininess", "by": [30, 0]}, {"expect": "wall.shininess", "above": 100, "set": true},
     {"key": "Ctrl+Z"}, {"expect": "wall.shininess", "value": 60},
     {"key": "Ctrl+Shift+Z"}, {"expect": "wall.shininess", "above": 100},
-    {"click": "properties/wall.shininess"}, {"key": "Ctrl+A"}, {"type": "2*(10+2.5)"}, {"key": "Enter"}, {"expect": "wall.shininess", "value": 25},
+    {"click": "properties/wall.shininess"}, {"key": "Ctrl+A"}, {"type": "2*(10+2.5) "}, {"key": "Enter"}, {"expect": "wall.shininess", "value": 25},
     {"key": "Ctrl+Z"}, {"expect": "wall.shininess", "above": 100},
     {"move": "properties/label:wall.shininess"}, {"key": "Backspace"}, {"expect": "wall.shininess", "value": 40, "set": false},
     {"drag": "properties/wall.shininess", "by": [60, 0], "release": false}, {"expect": "wall.shininess", "above": 100},

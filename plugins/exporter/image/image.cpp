@@ -1,4 +1,8 @@
 /// Pictures into files, written by OpenImageIO in a process of its own.
+#include <algorithm>
+#include <cctype>
+#include <filesystem>
+
 #include <lumen/exporter.h>
 #include <lumen/image.h>
 #include <lumen/temporary_file.h>
@@ -24,7 +28,11 @@ struct ImageExporter : lumen::Exporter {
     const auto picture = job[image];
     if (!picture) throw lumen::Error(file, "there is no picture to write");
     lumen::TemporaryFile temporary(file);
-    job.run({"openimageio", "write", {{"path", temporary.path()}, {"depth", job[depth].name}, {"name", file}}, {picture}});
+    // OpenImageIO takes longer to load than a picture takes to write.
+    std::string extension = std::filesystem::path(file).extension().string();
+    std::transform(extension.begin(), extension.end(), extension.begin(), [](unsigned char letter) { return std::tolower(letter); });
+    const char* module = extension == ".png" && !(job[depth] == "float") ? "png" : "openimageio";
+    job.run({module, "write", {{"path", temporary.path()}, {"depth", job[depth].name}, {"name", file}}, {picture}});
     temporary.commit();
   }
 };

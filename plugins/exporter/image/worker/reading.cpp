@@ -1,12 +1,16 @@
 /// One file becomes one Image.
 #include "pictures.h"
 
+#include <cctype>
 #include <cmath>
 #include <filesystem>
+#include <fstream>
 
 #include <OpenImageIO/imageio.h>
 
 #include <lumen/error.h>
+
+#include "float_map.h"
 
 namespace {
 
@@ -14,6 +18,12 @@ float linear(float encoded) { return encoded <= 0.04045f ? encoded / 12.92f : st
 
 /// Red, green, blue or gray, but neither alpha nor depth.
 bool is_color(const OIIO::ImageSpec& spec, int channel) { return channel != spec.alpha_channel && channel != spec.z_channel; }
+
+bool is_float_map(const std::string& path) {
+  char magic[3] = {};
+  std::ifstream(path, std::ios::binary).read(magic, sizeof magic);
+  return magic[0] == 'P' && (magic[1] == 'F' || magic[1] == 'f') && std::isspace(static_cast<unsigned char>(magic[2]));
+}
 
 }  // namespace
 
@@ -25,6 +35,10 @@ void read_picture(const lumen::WorkerRequest& request, lumen::WorkerReply& reply
   if (!std::filesystem::exists(status)) throw lumen::Error(file, "there is no such file", "check the path " + path);
   if (!std::filesystem::is_regular_file(status)) throw lumen::Error(file, "is no regular file");
 
+  if (is_float_map(path)) {
+    reply.data.push_back(read_float_map(path));
+    return;
+  }
   const auto input = OIIO::ImageInput::open(path);
   if (!input) throw lumen::Error(file, "cannot be read: " + OIIO::geterror());
   const OIIO::ImageSpec& spec = input->spec();

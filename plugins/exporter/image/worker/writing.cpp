@@ -10,6 +10,8 @@
 
 #include <lumen/error.h>
 
+#include "float_map.h"
+
 namespace {
 
 constexpr const char* writable = "png exr pfm ppm jpg tif tga bmp hdr webp";
@@ -20,7 +22,7 @@ std::string lower_extension(const std::string& path) {
   return extension;
 }
 
-bool is_float_format(const std::string& extension) { return extension == ".exr" || extension == ".pfm" || extension == ".hdr"; }
+bool is_float_format(const std::string& extension) { return extension == ".exr" || extension == ".hdr"; }
 
 /// The first channels of each pixel.
 std::vector<float> first_channels(const lumen::Image& image, std::size_t kept) {
@@ -47,8 +49,9 @@ void write_picture(const lumen::WorkerRequest& request, lumen::WorkerProgress pr
   const auto* image = request.inputs.empty() ? nullptr : dynamic_cast<const lumen::Image*>(request.inputs.front().get());
   if (!image) throw lumen::Error(name, "there is no picture to write");
 
-  const auto output = OIIO::ImageOutput::create(path);
   const std::string extension = lower_extension(path);
+  if (extension == ".pfm") return write_float_map(*image, path, name);
+  const auto output = OIIO::ImageOutput::create(path);
   if (!output) {
     OIIO::geterror();
     throw lumen::Error(name, "no picture format for '" + extension + "'", std::string("these can be written: ") + writable);
