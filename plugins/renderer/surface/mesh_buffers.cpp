@@ -85,11 +85,15 @@ void MeshBuffers::draw(const Visibility& visibility) {
     bind(triangles_);
     glDrawElements(GL_TRIANGLES, GLsizei(runs_[0].count * 3), GL_UNSIGNED_INT, reinterpret_cast<const void*>(std::uintptr_t(runs_[0].first) * sizeof(glm::uvec3)));
   } else {
-    gathered_.clear();
-    for (const Run& run : runs_) gathered_.insert(gathered_.end(), &clusters_.triangles[run.first], &clusters_.triangles[run.first] + run.count);
-    visible_.write(std::as_bytes(std::span(gathered_)));
+    if (!visible_) visible_ = lumen::gl::Buffer(std::size_t(clusters_.count) * sizeof(glm::uvec3));
+    glInvalidateBufferData(visible_.name());
+    std::size_t gathered = 0;
+    for (const Run& run : runs_) {
+      glNamedBufferSubData(visible_.name(), GLintptr(gathered * sizeof(glm::uvec3)), GLsizeiptr(run.count * sizeof(glm::uvec3)), &clusters_.triangles[run.first]);
+      gathered += run.count;
+    }
     bind(visible_);
-    glDrawElements(GL_TRIANGLES, GLsizei(gathered_.size() * 3), GL_UNSIGNED_INT, nullptr);
+    glDrawElements(GL_TRIANGLES, GLsizei(gathered * 3), GL_UNSIGNED_INT, nullptr);
   }
   glDisable(GL_CULL_FACE);
 }

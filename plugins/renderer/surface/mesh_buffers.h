@@ -26,9 +26,8 @@ class MeshBuffers {
   void upload(std::span<const glm::vec3> positions, std::span<const glm::vec3> normals, std::span<const float> values);
   ClusteredMesh clusters_;
   lumen::gl::Buffer positions_, normals_, values_, triangles_, cells_;
-  lumen::gl::Buffer visible_;       ///< indices that draw() gathered last
+  lumen::gl::Buffer visible_;       ///< the triangles that draw() gathered last
   std::vector<Run> runs_;
-  std::vector<glm::uvec3> gathered_;
   lumen::gl::VertexArray array_;
 };
 
