@@ -63,8 +63,9 @@ bool Application::update() {
     for (const ReloadEvent& event : reloader_->poll()) {
       news = true;
       workbench_.reloaded(event, GlfwWindow::time());
+      toasts_.dismiss(event.library);
       if (event.state == BuildState::kept)
-        toasts_.show(lumen::Severity::error, event.library + ": generation " + std::to_string(event.generation) + " kept", event.message);
+        toasts_.show(lumen::Severity::error, event.library + ": generation " + std::to_string(event.generation) + " kept", event.message, event.library);
     }
     watch_->rearm();
     news = true;

@@ -6,6 +6,7 @@
 #include <filesystem>
 #include <functional>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -86,6 +87,7 @@ class Application {
   std::filesystem::path settings_file_;
   Settings settings_;
   Restore restore_;
+  std::optional<Restore::Leftover> restored_;   ///< what was restored: its copy stays until it is saved
   Toasts toasts_;
   CommandTable commands_;
   SessionWorkbench workbench_;

@@ -1,5 +1,6 @@
 // Files: open, save, drop, screenshot, and what is asked before work would be lost.
 #include <algorithm>
+#include <utility>
 
 #include <lumen/ui/edit.h>
 
@@ -51,6 +52,7 @@ void Application::save(const std::filesystem::path& file, const std::function<vo
   lumen::ui::settle_now(workbench_);
   attempt([&] {
     session().save(file);
+    if (const auto leftover = std::exchange(restored_, std::nullopt)) Restore::discard(*leftover);
     settings_.remember(file);
     save_settings();
     toasts_.show(lumen::Severity::note, "Saved " + file.filename().string());
@@ -77,7 +79,7 @@ void Application::offer_restore() {
                     workshop_.close_views();
                     attempt([&] {
                       session().load(leftover->contents, leftover->folder);
-                      Restore::discard(*leftover);
+                      restored_ = leftover;
                     });
                   }; }},
                  {"Discard", [leftover] { Restore::discard(*leftover); }},

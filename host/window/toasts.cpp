@@ -22,13 +22,17 @@ bool link(const char* words) {
 
 }  // namespace
 
-void Toasts::show(lumen::Severity severity, std::string title, std::string details) {
+void Toasts::show(lumen::Severity severity, std::string title, std::string details, std::string about) {
   log_.push_back(details.empty() ? title : title + ": " + details);
   if (log_.size() > most_logged) log_.erase(log_.begin(), log_.begin() + most_logged / 2);
   for (const Toast& toast : shown_)
     if (toast.title == title && toast.details == details) return;
-  shown_.push_back({severity, std::move(title), std::move(details)});
+  shown_.push_back({severity, std::move(title), std::move(details), std::move(about)});
   if (shown_.size() > most_shown) shown_.pop_front();
+}
+
+void Toasts::dismiss(const std::string& about) {
+  std::erase_if(shown_, [&](const Toast& toast) { return toast.about == about; });
 }
 
 bool Toasts::draw_one(Toast& toast, std::size_t index, const Rectangle& view, float& bottom) {
@@ -43,7 +47,10 @@ bool Toasts::draw_one(Toast& toast, std::size_t index, const Rectangle& view, fl
                    ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_AlwaysAutoResize);
   const ImU32 color = toast.severity == lumen::Severity::error ? look.colors.error : toast.severity == lumen::Severity::warning ? look.colors.warning : look.colors.done;
   const ImVec2 corner = ImGui::GetWindowPos();
-  ImGui::GetWindowDrawList()->AddRectFilled(corner, {corner.x + look(4), corner.y + ImGui::GetWindowHeight()}, color, look(2));
+  ImDrawList* list = ImGui::GetWindowDrawList();
+  list->PushClipRectFullScreen();
+  list->AddRectFilled(corner, {corner.x + look(4), corner.y + ImGui::GetWindowHeight()}, color, look(2));
+  list->PopClipRect();
   ImGui::Indent(look(4));
   ImGui::PushTextWrapPos(0);
   {

@@ -14,8 +14,9 @@ namespace lumenshop {
 
 class Toasts {
  public:
-  /// `details` are shown smaller, beneath.
-  void show(lumen::Severity severity, std::string title, std::string details = {});
+  /// `details` are shown smaller, beneath. `about` is what dismiss() names: a message that no longer holds goes by itself.
+  void show(lumen::Severity severity, std::string title, std::string details = {}, std::string about = {});
+  void dismiss(const std::string& about);
   void draw(const Rectangle& view, bool errors_alone);
   bool empty() const { return shown_.empty(); }
   const std::vector<std::string>& log() const { return log_; }
@@ -23,7 +24,7 @@ class Toasts {
  private:
   struct Toast {
     lumen::Severity severity;
-    std::string title, details;
+    std::string title, details, about;
     double left = 5;  ///< seconds
   };
   std::deque<Toast> shown_;

@@ -85,6 +85,7 @@ void ViewPanel::draw(const Context& context) {
 }
 
 void ViewPanel::draw_chips(const Context& context) {
+  chip_shown_ = false;
   const lumen::ui::Look& look = lumen::ui::look();
   const float inset = look(5);
   if (!failure_.empty()) chip({place_.min.x + inset, place_.min.y + inset}, failure_, 0, 0);
@@ -94,7 +95,8 @@ void ViewPanel::draw_chips(const Context& context) {
   std::string words;
   if (divider_ > 1) words = divider_ == 2 ? "\xC2\xBD resolution" : "\xC2\xBC resolution";
   if (unfinished_ || divider_ > 1) words += (words.empty() ? "" : " \xE2\x80\xA2 ") + ("refining " + std::to_string(divider_ > 1 ? 0 : percent) + " %");
-  if (!words.empty()) chip({place_.min.x + inset, place_.max.y - inset}, words, 0, 1);
+  chip_shown_ = !words.empty();
+  if (chip_shown_) chip({place_.min.x + inset, place_.max.y - inset}, words, 0, 1);
 }
 
 void ViewPanel::draw_empty(const Rectangle& place) {
@@ -142,8 +144,10 @@ void ViewPanel::refresh(bool editing) {
 
 bool ViewPanel::busy() const {
   if (input_.animating()) return true;
+  // The chip was drawn before the last refinement: one more frame takes it away.
+  if (chip_shown_ && !unfinished_ && divider_ == 1) return true;
   // While the person moves things, refinement waits: it would only delay the next picture.
-  return unfinished_ && !resolution_.moving(GlfwWindow::time());
+  return (unfinished_ || divider_ > 1) && !resolution_.moving(GlfwWindow::time());
 }
 
 double ViewPanel::wake_at() const {

@@ -70,7 +70,7 @@ class ViewPanel {
   std::string held_letter_;
   std::uint64_t drawn_revision_ = 0;
   float progress_ = 1;
-  bool unfinished_ = false;
+  bool unfinished_ = false, chip_shown_ = false;
 };
 
 }  // namespace lumenshop

@@ -51,8 +51,8 @@ int show_window(Workshop& workshop, const WindowSetup& setup) {
   long frames = 0;
   int frames_due = frames_after_event;
   while (!application.closing()) {
-    GlfwWindow::wait(sleep_time(application, frames_due, script));
     const double wake = application.wake_at();
+    GlfwWindow::wait(sleep_time(application, frames_due, script));
     if (script) {
       script->step(frames);
       if (script->finished()) break;

@@ -43,7 +43,7 @@ float mirror_term(glm::vec3 n, glm::vec3 l, glm::vec3 v) {
   return std::pow(std::max(0.0f, glm::dot(2 * glm::dot(n, l) * n - l, v)), shininess);
 }
 
-/// Compares all layers with the closed form; the camera looks along -z, so that view and world directions are the same.
+/// Compares all layers with the closed form; the camera looks along -z, so the axes of view and world agree.
 void expect_closed_form(Scene& scene, const std::vector<TestLight>& lights, Highlight highlight) {
   const Pixels normal = scene.layer("normal"), position = scene.layer("position"), ambient = scene.layer("ambient"),
                diffuse = scene.layer("diffuse"), specular = scene.layer("specular"), color = scene.layer("color");
@@ -118,7 +118,7 @@ TEST(Lighting, PointLightsFallOffAsTheySay) {
   }
 }
 
-TEST(Lighting, DepthIsFromTheEyeAndPositionInTheWorld) {
+TEST(Lighting, DepthAndPositionAreWorldUnitsFromTheEye) {
   Scene scene({33, 33});
   scene.surface("wall", lumen::testing::moved(*lumen::testing::rectangle(), {0, 0, 0.25f}));
   EXPECT_NEAR(scene.layer("depth").at(16, 16), 9.75f, 1e-5f);

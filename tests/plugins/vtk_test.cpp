@@ -96,6 +96,10 @@ TEST(VtkImporter, every_broken_file_loads_or_gives_one_message) {
       EXPECT_EQ(loaded && !bench.mesh() && !bench.lines(), false) << entry.path();
     }
   EXPECT_GT(tried, 90);
+  // Valid, though VTK's own reader crashes on it: its quads carry subdivision tags.
+  bench.read(files::path(LUMEN_TEST_DATA) / "bad" / "tinyobj" / "catmark_torus_creases0.obj");
+  ASSERT_TRUE(bench.mesh()) << bench.messages();
+  EXPECT_EQ(bench.mesh()->triangles.size(), 64u);
 }
 
 TEST(VtkImporter, says_what_is_wrong_with_a_file_and_where) {
@@ -139,6 +143,26 @@ TEST(VtkImporter, cuts_concave_polygons_without_leaving_them) {
     area += doubled.z / 2;
   }
   EXPECT_FLOAT_EQ(area, 1);
+}
+
+TEST(VtkImporter, doubles_the_points_of_an_obj_only_where_corners_differ) {
+  // Two triangles that share an edge; one of its ends has two texture coordinates.
+  Reader bench;
+  bench.read_text("seam.obj", "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nvt 0 0\nvt 1 0\nvt 1 1\nvt 0 1\nvt .5 .5\n"
+                              "g first\nf 1/1 2/2 3/3\ng second\nf -4/5 \\\n-2/3 -1/4\nf 1 2 99\n");
+  const auto mesh = bench.mesh();
+  ASSERT_TRUE(mesh) << bench.messages();
+  ASSERT_EQ(mesh->triangles.size(), 2u);
+  ASSERT_EQ(mesh->positions.size(), 5u);
+  const std::uint32_t doubled = mesh->triangles[1].x;
+  EXPECT_EQ(mesh->positions[doubled], glm::vec3(0));
+  EXPECT_EQ(mesh->texture_coordinates[doubled], glm::vec2(0.5f));
+  EXPECT_EQ(mesh->texture_coordinates[mesh->triangles[0].x], glm::vec2(0));
+  EXPECT_EQ(mesh->triangles[0].z, mesh->triangles[1].y);
+  EXPECT_EQ(mesh->attribute("GroupIds")->values[1], 1);
+  EXPECT_NE(bench.messages().find("1 cells skipped: they name points that are not there"), std::string::npos) << bench.messages();
+  bench.read_text("broken.obj", "v 0 0 0\nv 1 0\n");
+  EXPECT_NE(bench.messages().find("broken.obj:2: a point needs three numbers"), std::string::npos) << bench.messages();
 }
 
 TEST(VtkImporter, cell_arrays_follow_polygons_and_strips_and_unused_points_go) {

@@ -8,7 +8,6 @@
 #include <vtkGenericDataObjectReader.h>
 #include <vtkGeometryFilter.h>
 #include <vtkNew.h>
-#include <vtkOBJReader.h>
 #include <vtkPLYReader.h>
 #include <vtkPointSet.h>
 #include <vtkSTLReader.h>
@@ -17,6 +16,7 @@
 #include <vtkXMLUnstructuredGridReader.h>
 
 #include "messages.h"
+#include "obj.h"
 
 namespace {
 
@@ -33,9 +33,8 @@ Pointer reader_of(const std::string& path, FileKind kind) {
     case FileKind::xml_polygons: return named<vtkXMLPolyDataReader>(path);
     case FileKind::xml_unstructured: return named<vtkXMLUnstructuredGridReader>(path);
     case FileKind::stl: return named<vtkSTLReader>(path);
-    case FileKind::obj: return named<vtkOBJReader>(path);
     case FileKind::ply: return named<vtkPLYReader>(path);
-    case FileKind::legacy: break;
+    case FileKind::obj: case FileKind::legacy: break;
   }
   vtkNew<vtkGenericDataObjectReader> reader;
   reader->SetFileName(path.c_str());
@@ -81,6 +80,11 @@ void check_cells(const std::string& file, vtkDataSet* data) {
 
 vtkSmartPointer<vtkPolyData> read_file(const std::string& path, FileKind kind, lumen::WorkerReply& reply, lumen::WorkerProgress progress) {
   const std::string file = short_name(path);
+  if (kind == FileKind::obj) {
+    vtkSmartPointer<vtkPolyData> surface = read_obj(path, reply, progress);
+    if (surface->GetNumberOfPoints() == 0) throw lumen::Error(file, "holds no points");
+    return surface;
+  }
   Messages messages;
   const Pointer reader = reader_of(path, kind);
   vtkNew<vtkCallbackCommand> observer;
