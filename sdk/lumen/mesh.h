@@ -7,7 +7,7 @@
 
 namespace lumen {
 
-/// Indexed triangles, counterclockwise from outside. All arrays are checked by `problem`.
+/// Indexed triangles, counterclockwise from outside. All arrays are checked by `finish`.
 struct Mesh : Data {
   Array<glm::vec3> positions;               ///< object space; finite
   Array<glm::vec3> normals;                 ///< one per position, unit or zero; empty = none
