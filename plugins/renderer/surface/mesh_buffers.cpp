@@ -86,7 +86,6 @@ void MeshBuffers::draw(const Visibility& visibility) {
     glDrawElements(GL_TRIANGLES, GLsizei(runs_[0].count * 3), GL_UNSIGNED_INT, reinterpret_cast<const void*>(std::uintptr_t(runs_[0].first) * sizeof(glm::uvec3)));
   } else {
     if (!visible_) visible_ = lumen::gl::Buffer(std::size_t(clusters_.count) * sizeof(glm::uvec3));
-    glInvalidateBufferData(visible_.name());
     std::size_t gathered = 0;
     for (const Run& run : runs_) {
       glNamedBufferSubData(visible_.name(), GLintptr(gathered * sizeof(glm::uvec3)), GLsizeiptr(run.count * sizeof(glm::uvec3)), &clusters_.triangles[run.first]);
