@@ -153,7 +153,8 @@ TEST_F(SchedulerTest, makes_data_once_and_again_only_when_a_value_changes) {
   run();
   EXPECT_EQ(stage.made, 2);
   EXPECT_EQ(mesh("maker.mesh")->positions[1].x, 4);
-  EXPECT_GE(wakes, 2);
+  // A worker wakes the host after its result can be taken, so the second call may still be on its way.
+  EXPECT_TRUE(frames_until([this] { return wakes >= 2; })) << wakes;
 }
 
 TEST_F(SchedulerTest, adopted_data_is_checked_and_has_its_bounds) {
