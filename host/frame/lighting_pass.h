@@ -8,7 +8,7 @@ namespace lumenshop {
 /// Reads depth, normal, albedo and what the view's occlusion wrote. Runs if due. `summands`: also ambient, diffuse, specular.
 void run_lighting_pass(const FrameContext& context, bool summands);
 
-/// The fragment stage's reading of what the occlusion wrote: `vec3 lumen_visibility(vec2 uv)`, and the sampler's name and layer.
+/// What the view's occlusion wrote and what it multiplies.
 struct Visibility {
   lumen::Attenuates attenuates = lumen::Attenuates::ambient;
   std::string layer;   ///< "occlusion", "illumination" or empty

@@ -13,8 +13,8 @@ namespace lumenshop {
 
 /// What is remembered of an instance between its runs, to know when it must run again.
 struct PluginPassMemory {
-  std::set<std::string> files;   ///< shaders that its last run used
-  bool uses_time = false;
+  std::set<std::string> files;   ///< shaders that its runs used
+  bool uses_time = false, uses_lights = false, uses_geometry = false;
   bool unfinished = false;
   int iteration = 0;
   std::uint64_t base_key = 0;    ///< of everything but the iteration
@@ -25,8 +25,9 @@ using LayerNames = std::map<std::string, std::string, std::less<>>;
 
 class PluginPass final : public lumen::TransparencyFrame {
  public:
-  /// `names` maps what the plugin calls a layer to what the store calls it (a compositor's `color` is its predecessor's).
-  PluginPass(const FrameContext& context, Instance& instance, PluginPassMemory& memory, LayerNames reads, LayerNames writes);
+  /// `reads` and `writes` map what the plugin calls a layer to what the store calls it (a compositor's `color` is its
+  /// predecessor's). `name` tells passes of one instance apart; default: its id.
+  PluginPass(const FrameContext& context, Instance& instance, PluginPassMemory& memory, LayerNames reads, LayerNames writes, std::string name = {});
 
   /// Allocates what it writes and calls `draw` if anything that it declared has changed. True if it ran.
   bool run(const std::function<void(PluginPass&)>& draw);
@@ -38,26 +39,32 @@ class PluginPass final : public lumen::TransparencyFrame {
   float scene_radius() const override { return context_.geometry.scene_radius; }
   glm::vec2 extent() const override { return context_.geometry.extent; }
   double time() const override;
+  std::vector<lumen::Light> lights() const override;
+  std::vector<lumen::TracedSurface> traced_surfaces() const override;
   const lumen::gl::Texture& layer(const lumen::Reads& reads) const override;
   const lumen::gl::Texture& layer(const lumen::Writes& writes) const override;
   const lumen::gl::Texture& scratch(std::string_view name, lumen::Format format, glm::ivec2 size) override;
   void fullscreen(std::string_view shader, const lumen::FullscreenPass& pass) override;
+  void draw_depth(const lumen::Camera& camera, const lumen::gl::Texture& depth) override;
+  void parallel(int count, const std::function<void(int, int)>& body) const override;
   int iteration() const override { return memory_.iteration; }
   void unfinished() override { memory_.unfinished = true; }
   // lumen::TransparencyFrame
-  void surfaces(std::string_view shader, const char* function, std::span<const lumen::Target> targets,
-                std::span<const glm::vec4> clear) override;
+  void surfaces(std::string_view shader, const lumen::SurfacesPass& pass) override;
 
  private:
   std::uint64_t key() const;
   std::string stored(const LayerNames& names, const std::string& layer) const;
   std::string accessors() const;
+  void use_file(const std::string& file);
   void bind_layers(Program& program) const;
+  void write_surfaces_text(ProgramText& text, const std::string& file, const lumen::SurfacesPass& pass, const Instance& renderer) const;
 
   const FrameContext& context_;
   Instance& instance_;
   PluginPassMemory& memory_;
   LayerNames reads_, writes_;
+  std::string name_;
 };
 
 }  // namespace lumenshop

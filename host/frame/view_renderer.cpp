@@ -11,6 +11,7 @@
 #include <lumen/transparency.h>
 
 #include "frame/hash.h"
+#include "frame/transparent_layers.h"
 #include "frame/view_state.h"
 
 namespace lumenshop {
@@ -106,6 +107,7 @@ std::string ViewRenderer::State::draw_scene(int set, glm::vec2 jitter, LayerStor
     layers.drop("transparent");
     return "lit";
   }
+  run_transparent_occlusion(frame, memories);
   PluginPass pass(frame, *scene.transparency, memories[scene.transparency->id()], {{"color", "lit"}}, {});
   pass.run([&](PluginPass& in) { scene.transparency->as<lumen::Transparency>(Kind::transparency)->render(in); });
   if (layers.find("transparent") == nullptr) return "lit";
@@ -197,6 +199,7 @@ void ViewRenderer::set_timing(bool on) { state_->log.set_timing(on); }
 
 std::vector<lumen::Problem> ViewRenderer::problems() const {
   std::vector<lumen::Problem> all = state_->problems;
+  for (lumen::Problem& problem : state_->values.problems()) all.push_back(std::move(problem));
   for (lumen::Problem& problem : state_->shaders.problems()) all.push_back(std::move(problem));
   return all;
 }

@@ -13,6 +13,7 @@ struct View : lumen::Plugin {
   lumen::Property<lumen::References> lights{this, "lights", {}, {.doc = "front light first, back light second", .accepts = "light"}};
   lumen::Property<lumen::References> renderers{this, "renderers", {}, {.doc = "what is drawn", .accepts = "renderer"}};
   lumen::Property<lumen::Reference> occlusion{this, "occlusion", {}, {.doc = "ambient occlusion, or none", .accepts = "occlusion"}};
+  lumen::Property<int> occluded_layers{this, "occluded_layers", 1, {.min = 0, .max = 4, .doc = "how many transparent layers from the front get an occlusion of their own; deeper ones share the last", .when = "occlusion"}};
   lumen::Property<lumen::Reference> transparency{this, "transparency", {}, {.doc = "how transparent surfaces are composed", .accepts = "transparency"}};
   lumen::Property<lumen::References> compositors{this, "compositors", {}, {.doc = "what happens to the picture, in order", .accepts = "compositor"}};
   lumen::Property<lumen::References> interactors{this, "interactors", {}, {.doc = "what input goes to, in order; the camera last", .accepts = "interactor"}};

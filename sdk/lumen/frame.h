@@ -1,12 +1,16 @@
 /// What a plugin sees of a frame while it draws.
 #pragma once
 
+#include <functional>
+#include <memory>
+#include <optional>
 #include <span>
 #include <string_view>
 #include <utility>
 #include <vector>
 
 #include <glm/vec2.hpp>
+#include <glm/vec4.hpp>
 
 #include <lumen/camera.h>
 #include <lumen/gl/texture.h>
@@ -15,22 +19,36 @@
 
 namespace lumen {
 
+struct Mesh;
+
 /// How fragments meet what is in a target.
-enum class Blend { replace, add, multiply_by_one_minus_source, over };
+enum class Blend { replace, add, multiply_by_one_minus_source, over, under, maximum };
 
 /// Where a pass writes one of its results.
 struct Target {
   const gl::Texture* texture = nullptr;
   const char* name = "result";   ///< the shader's name for it
   Blend blend = Blend::replace;
+  std::optional<glm::vec4> clear = {};  ///< what it holds before; default: what is in it
 };
+
+/// Textures that a pass reads: NAME_at(uv) in the shader, nearest; NAME as a sampler.
+using TextureInputs = std::vector<std::pair<const char*, const gl::Texture*>>;
 
 /// One full-screen pass; use designated initializers.
 struct FullscreenPass {
   const char* function = "render";   ///< vec4 FUNCTION(Properties p, Pixel pixel) of the file
   const gl::Texture* target = nullptr;  ///< default: the first layer that the plugin writes
-  std::vector<std::pair<const char*, const gl::Texture*>> inputs = {};  ///< NAME_at(uv) in the shader, nearest; NAME as a sampler
+  TextureInputs inputs = {};
   bool covered_only = false;         ///< only where the opaque scene covers the pixel; elsewhere the target is 0
+};
+
+/// A surface as rays see it.
+struct TracedSurface {
+  std::shared_ptr<const Mesh> mesh;    ///< null: not for rays
+  glm::mat4 object_to_world{1};
+  std::vector<Part> parts = {};        ///< of its splitter, filled in by the host; at least one
+  bool transparent = false;            ///< filled in by the host
 };
 
 /// One view being drawn. Valid during the call that it is given to; the GL context is current.
@@ -43,6 +61,9 @@ class Frame {
   virtual float scene_radius() const = 0;    ///< world, of the bounding sphere
   virtual glm::vec2 extent() const = 0;      ///< near and far of the bounding sphere along the view axis, world, eye distance
   virtual double time() const = 0;           ///< seconds
+  virtual std::vector<Light> lights() const = 0;  ///< front first; shaders have them through lib/lights.glsl
+  /// What rays can hit, on the screen or not.
+  virtual std::vector<TracedSurface> traced_surfaces() const = 0;
 
   virtual const gl::Texture& layer(const Reads& reads) const = 0;
   virtual const gl::Texture& layer(const Writes& writes) const = 0;
@@ -52,17 +73,34 @@ class Frame {
   /// Draws the shader ("occlusion/ssao.glsl", found as plugins' files are) over the target.
   virtual void fullscreen(std::string_view shader, const FullscreenPass& pass = {}) = 0;
 
+  /// The opaque surfaces as another camera sees them: fills `depth` (R32F) with eye distances along its axis, world
+  /// units, +inf where there is nothing. For shadows and cutaways.
+  virtual void draw_depth(const Camera& camera, const gl::Texture& depth) = 0;
+
+  /// Calls body(first, last) for parts of 0..count on all cores, and returns when all are done. It may throw.
+  virtual void parallel(int count, const std::function<void(int first, int last)>& body) const = 0;
+
   /// Which refinement this is, 0..; and that another one is wanted while idle.
   virtual int iteration() const = 0;
   virtual void unfinished() = 0;
 };
 
+/// One drawing of the transparent surfaces; use designated initializers.
+struct SurfacesPass {
+  const char* function = "store";    ///< void FUNCTION(Properties p, Fragment fragment) of the file; writes the targets by name
+  std::vector<Target> targets = {};  ///< none: the function writes storage of the plugin's own
+  TextureInputs inputs = {};
+  bool lit = true;                   ///< whether fragment.color is wanted: lighting costs more than the rest
+};
+
 /// The transparent part of a frame: on top of Frame, it draws all transparent surfaces.
+///
+/// Storage buffers 10 to 15 and image units 0 to 7 belong to the plugin, which binds them itself before a pass; what one
+/// pass stored there the next one sees.
 class TransparencyFrame : public Frame {
  public:
-  /// Draws every transparent surface once. The shader's void FUNCTION(Properties p, Fragment fragment) gets each lit
-  /// fragment in front of the opaque scene and writes the targets by name. Targets are cleared to `clear` first.
-  virtual void surfaces(std::string_view shader, const char* function, std::span<const Target> targets, std::span<const glm::vec4> clear) = 0;
+  /// Draws every transparent surface once: each fragment in front of the opaque scene, in no order.
+  virtual void surfaces(std::string_view shader, const SurfacesPass& pass) = 0;
 };
 
 /// What a renderer draws into: the host decides which pass it is and what comes of the fragments.

@@ -2,7 +2,7 @@
 ///
 /// The shader of a renderer has two parts, after lines `#pragma stage vertex` and `#pragma stage fragment`:
 ///   void vertex(Properties p)       sets gl_Position, with split() and project() of lib/geometry.glsl
-///   Surface surface(Properties p)   the surface at this fragment, or discard
+///   void surface(Properties p, inout Surface s)   fills in the surface at this fragment, or discards it
 /// The host adds what becomes of the fragment: layers, light, a transparency's store, an id.
 #pragma once
 
@@ -20,6 +20,8 @@ class Renderer : public Plugin {
   virtual void draw(Draw& draw) = 0;
   /// Whether surface() sets diffuse_color itself (colors by array), so that the albedo must be kept per pixel.
   virtual bool colors_itself() const { return false; }
+  /// What rays hit where this is drawn: for occlusion and shadows that are traced.
+  virtual TracedSurface traced() const { return {}; }
 };
 
 /// The terms and the material of a surface: a member of each renderer that is lit.

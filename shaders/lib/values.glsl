@@ -19,3 +19,22 @@ vec4 map(TransferFunction f, float x) {
   vec4 b = texelFetch(lumen_transfer_functions, ivec2(min(left + 1, texels - 1), int(f.row)), 0);
   return mix(a, b, at - float(left));
 }
+
+// A picture property: its place in the texture that holds all pictures; zero while there is none.
+struct Image {
+  vec4 place;  // corner and extent
+};
+
+uniform sampler2D lumen_images;
+
+bool given(Image i) { return i.place.z > 0.0; }
+
+// The picture's size in texels.
+vec2 size_of(Image i) { return abs(i.place.zw) * vec2(textureSize(lumen_images, 0)); }
+
+// Color at uv, 0..1 from the bottom left; bilinear, clamped to the edge; transparent black while there is no picture.
+vec4 image(Image i, vec2 uv) {
+  if (!given(i)) return vec4(0);
+  vec2 margin = 0.5 / size_of(i);
+  return textureLod(lumen_images, i.place.xy + clamp(uv, margin, 1.0 - margin) * i.place.zw, 0.0);
+}

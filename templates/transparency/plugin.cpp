@@ -1,7 +1,5 @@
 /// The mean color of all transparent layers, whatever their order. Bavoil, Myers, 2008.
 
-#include <array>
-
 #include <lumen/transparency.h>
 
 namespace {
@@ -16,10 +14,9 @@ struct @Class@ : lumen::Transparency {
     constexpr const char* shader = "transparency/@name@.glsl";
     const auto& sum = frame.scratch("sum", lumen::Format::RGBA32F, frame.size());
     const auto& revealage = frame.scratch("revealage", lumen::Format::R32F, frame.size());
-    const std::array targets = {lumen::Target{&sum, "sum", lumen::Blend::add},
-                                lumen::Target{&revealage, "revealage", lumen::Blend::multiply_by_one_minus_source}};
-    const std::array clear = {glm::vec4(0), glm::vec4(1)};
-    frame.surfaces(shader, "store", targets, clear);
+    frame.surfaces(shader, {.function = "store",
+                            .targets = {{&sum, "sum", lumen::Blend::add, glm::vec4(0)},
+                                        {&revealage, "revealage", lumen::Blend::multiply_by_one_minus_source, glm::vec4(1)}}});
     frame.fullscreen(shader, {.function = "resolve", .inputs = {{"sum", &sum}, {"revealage", &revealage}}});
   }
 };

@@ -34,6 +34,7 @@ struct Surface : lumen::Renderer {
     return data == nullptr ? lumen::Bounds{} : data->bounds().transformed(transform);
   }
   bool colors_itself() const override { return colored && attribute() != nullptr; }
+  lumen::TracedSurface traced() const override { return {.mesh = mesh.get(), .object_to_world = transform}; }
 
   void changed(std::string_view property) override {
     if (property == "mesh" || property == "color_by") {

@@ -43,10 +43,12 @@ Texture::~Texture() {
   if (name_ != 0) glDeleteTextures(1, &name_);
 }
 
-void Texture::upload(const float* pixels) const {
+void Texture::upload(const float* pixels) const { upload(pixels, {0, 0}, size_); }
+
+void Texture::upload(const float* pixels, glm::ivec2 corner, glm::ivec2 size) const {
   const Layout layout = layout_of(format_);
   glPixelStorei(GL_UNPACK_ALIGNMENT, 1);
-  glTextureSubImage2D(name_, 0, 0, 0, size_.x, size_.y, layout.external, GL_FLOAT, pixels);
+  glTextureSubImage2D(name_, 0, corner.x, corner.y, size.x, size.y, layout.external, GL_FLOAT, pixels);
 }
 
 void Texture::linear() const {

@@ -26,6 +26,7 @@ class Texture {
   explicit operator bool() const { return name_ != 0; }
   /// Rows bottom-up, tightly packed, channels_of(format) floats per pixel.
   void upload(const float* pixels) const;
+  void upload(const float* pixels, glm::ivec2 corner, glm::ivec2 size) const;  ///< a part of it
   void linear() const;  ///< bilinear from now on
   /// Reads it back: width * height * channels_of(format) floats (integers for UI formats, converted), rows bottom-up.
   std::vector<float> download() const;

@@ -1,0 +1,37 @@
+#include "frame/depth_pass.h"
+
+#include <limits>
+#include <span>
+
+#include <lumen/gl/framebuffer.h>
+
+#include "frame/surface_pass.h"
+
+namespace lumenshop {
+
+void draw_depth(const FrameContext& context, const lumen::Camera& camera, const lumen::gl::Texture& depth) {
+  const ViewScene& scene = context.scene;
+  const ViewGeometry geometry = make_geometry(camera, depth.size(), 0, {0, 0}, scene.bounds, scene.split_bounds, {}, 0);
+  const lumen::gl::Buffer block(std::as_bytes(std::span(&geometry.block, 1)));
+  const FrameContext other{context.session, context.shaders, context.values, context.shading, context.log,
+                           context.layers,  context.centers, context.scene,  geometry,        block,
+                           context.light_block, context.geometry_key, context.light_key, context.lights, context.set};
+  const lumen::gl::Texture buffer(lumen::Format::depth32F, depth.size());
+  const lumen::gl::Texture* const targets[] = {&depth};
+  const lumen::gl::Framebuffer target(targets, &buffer);
+  target.bind();
+  glViewport(0, 0, depth.size().x, depth.size().y);
+  glDisable(GL_BLEND);
+  glEnable(GL_DEPTH_TEST);
+  glDepthFunc(GL_LESS);
+  glDepthMask(GL_TRUE);
+  const float far[4] = {std::numeric_limits<float>::infinity(), 0, 0, 0}, one = 1;
+  glClearNamedFramebufferfv(target.name(), GL_COLOR, 0, far);
+  glClearNamedFramebufferfv(target.name(), GL_DEPTH, 0, &one);
+  const SurfaceOutput output{.name = "depth", .write = [](ProgramText& text, const Instance&) {
+    text.generated("layout(location = 0) out float lumen_depth;\nvoid main() { lumen_depth = -lumen_surface().position.z; }\n");
+  }};
+  for (const SceneSurface& surface : scene.opaque) draw_surface(other, surface, output);
+}
+
+}  // namespace lumenshop
