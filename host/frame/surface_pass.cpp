@@ -83,7 +83,7 @@ class SurfaceDraw final : public lumen::Draw {
                          "  s.instance = lumen_instance;\n  s.part = lumen_part_index;\n  s.primitive = 0;\n  s.front = gl_FrontFacing;\n"
                          "  lumen_own_material(s);\n  " + prefix + "surface(" + prefix + "load(0), s);\n"
                          "  s.to_eye = to_eye(s.position);\n"
-                         "  if (dot(s.normal, s.to_eye) < 0.0) s.normal = -s.normal;\n"
+                         "  s.normal = lumen_facing(s.normal, s.to_eye, cross(dFdx(s.position), dFdy(s.position)));\n"
                          "  return s;\n}\n");
       output_.write(fragment, instance);
     });

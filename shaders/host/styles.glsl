@@ -24,3 +24,11 @@ void lumen_take_material(LumenStyle style, inout Surface s) {
 // The material of s.instance, whichever it is; of the instance that the program draws.
 void lumen_material(inout Surface s) { lumen_take_material(lumen_styles[s.instance], s); }
 void lumen_own_material(inout Surface s) { lumen_take_material(lumen_own_style, s); }
+
+// The normal turned toward the eye. `flat_normal` is the triangle's own, which faces the eye: where the averaged normal is on its
+// side, it only leans over the silhouette, and turning it around would point it into the surface.
+vec3 lumen_facing(vec3 normal, vec3 to_eye, vec3 flat_normal) {
+  float facing = dot(normal, to_eye);
+  if (facing >= 0.0) return normal;
+  return dot(normal, flat_normal) < 0.0 ? -normal : normalize(normal - facing * to_eye);
+}
