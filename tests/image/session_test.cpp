@@ -1,9 +1,14 @@
-/// Every session of the installation is an image test: drawn and compared with tests/image/references/<name>.png.
+/// Every view of every session of the installation is an image test: drawn and compared with
+/// tests/image/references/<session>.png, or <session>-<view>.png where the session has several views.
 /// LUMEN_UPDATE_REFERENCES=1 writes the references instead.
+#include <algorithm>
+#include <cctype>
 #include <cmath>
 #include <cstdlib>
+#include <fstream>
 
 #include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
 
 #include "command/offscreen.h"
 #include "command/picture_encoding.h"
@@ -16,14 +21,27 @@ namespace {
 constexpr int tolerance = 8;             // of 255
 constexpr double accepted_part = 0.005;  // of the pixels
 
-std::vector<std::string> session_names() {
-  std::vector<std::string> names;
+/// One view of a session, by the session's path under the folder of sessions.
+struct Picture {
+  std::string session, view;
+  std::string reference;  ///< file name without extension
+};
+
+std::vector<Picture> pictures() {
+  std::vector<Picture> all;
   const auto folder = Installation::find().sessions();
-  if (std::filesystem::is_directory(folder))
-    for (const auto& entry : std::filesystem::directory_iterator(folder))
-      if (entry.path().extension() == ".json") names.push_back(entry.path().stem().string());
-  std::sort(names.begin(), names.end());
-  return names;
+  if (!std::filesystem::is_directory(folder)) return all;
+  for (const auto& entry : std::filesystem::recursive_directory_iterator(folder)) {
+    if (entry.path().extension() != ".json") continue;
+    std::ifstream file(entry.path());
+    const auto session = nlohmann::json::parse(file, nullptr, false);
+    if (!session.is_object() || !session.contains("views")) continue;
+    const bool several = session["views"].size() > 1;
+    const std::string name = std::filesystem::relative(entry.path(), folder).replace_extension().string();
+    for (const auto& [view, contents] : session["views"].items()) all.push_back({name, view, several ? name + "-" + view : name});
+  }
+  std::sort(all.begin(), all.end(), [](const Picture& a, const Picture& b) { return a.reference < b.reference; });
+  return all;
 }
 
 BytePicture drawn(Offscreen& offscreen) {
@@ -38,27 +56,32 @@ BytePicture drawn(Offscreen& offscreen) {
   return picture;
 }
 
-class SessionPicture : public testing::TestWithParam<std::string> {};
+class SessionPicture : public testing::TestWithParam<Picture> {};
 
 TEST_P(SessionPicture, IsAsItsReference) {
-  const std::filesystem::path file = Installation::find().sessions() / (GetParam() + ".json");
-  const std::filesystem::path reference = std::filesystem::path(LUMEN_REFERENCES) / (GetParam() + ".png");
-  Offscreen offscreen({.files = {file}, .size = {480, 360}});
+  const std::filesystem::path file = Installation::find().sessions() / (GetParam().session + ".json");
+  const std::filesystem::path reference = std::filesystem::path(LUMEN_REFERENCES) / (GetParam().reference + ".png");
+  Offscreen offscreen({.files = {file}, .view = GetParam().view, .size = {480, 360}});
   const BytePicture picture = drawn(offscreen);
   EXPECT_TRUE(offscreen.all_findings().empty()) << offscreen.all_findings().text();
   if (std::getenv("LUMEN_UPDATE_REFERENCES")) {
+    std::filesystem::create_directories(reference.parent_path());
     write_png(picture, reference);
     GTEST_SKIP() << "wrote " << reference;
   }
   ASSERT_TRUE(std::filesystem::exists(reference)) << reference << " is missing: look at the picture, then run with LUMEN_UPDATE_REFERENCES=1";
   const double part = differing_part(read_png(reference), picture, tolerance);
-  if (part > accepted_part) write_png(picture, Installation::find().root / "failed" / (GetParam() + ".png"));
+  if (part > accepted_part) {
+    const std::filesystem::path failed = Installation::find().root / "failed" / (GetParam().reference + ".png");
+    std::filesystem::create_directories(failed.parent_path());
+    write_png(picture, failed);
+  }
   EXPECT_LE(part, accepted_part) << "the new picture is in " << Installation::find().root / "failed";
 }
 
 TEST_P(SessionPicture, IsTheSameAfterSavingAndLoading) {
-  const std::filesystem::path file = Installation::find().sessions() / (GetParam() + ".json");
-  Offscreen offscreen({.files = {file}, .size = {240, 180}});
+  const std::filesystem::path file = Installation::find().sessions() / (GetParam().session + ".json");
+  Offscreen offscreen({.files = {file}, .view = GetParam().view, .size = {240, 180}});
   const BytePicture before = drawn(offscreen);
   Session& session = offscreen.workshop().session();
   const Json saved = session.to_json();
@@ -69,7 +92,11 @@ TEST_P(SessionPicture, IsTheSameAfterSavingAndLoading) {
   EXPECT_EQ(differing_part(before, drawn(offscreen), 0), 0);
 }
 
-INSTANTIATE_TEST_SUITE_P(Sessions, SessionPicture, testing::ValuesIn(session_names()), [](const auto& info) { return info.param; });
+INSTANTIATE_TEST_SUITE_P(Sessions, SessionPicture, testing::ValuesIn(pictures()), [](const auto& info) {
+  std::string name = info.param.reference;
+  std::replace_if(name.begin(), name.end(), [](char c) { return !std::isalnum(static_cast<unsigned char>(c)); }, '_');
+  return name;
+});
 GTEST_ALLOW_UNINSTANTIATED_PARAMETERIZED_TEST(SessionPicture);
 
 }  // namespace
