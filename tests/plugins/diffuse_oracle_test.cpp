@@ -116,5 +116,127 @@ TEST(OrenNayar, EnergyPreservingModelSaturatesColorsByItsSecondBounce) {
     EXPECT_NEAR(value[c], albedo[c] * A + albedo[c] * albedo[c] * mean / (1 - albedo[c] * (1 - mean)) * (1 - A) * (1 - A) / (1 - mean), 1e-5);
 }
 
+TEST(Gooch, BlendsFromCoolToWarmWithTheAngleToTheLight) {
+  expect_closed_form_everywhere("diffuse.gooch", [](const Angles& a) {
+    const float warm = (1 + glm::dot(a.n, a.l)) / 2;
+    return warm * (glm::vec3(0.4f, 0.4f, 0) + 0.6f * diffuse_color) + (1 - warm) * (glm::vec3(0, 0, 0.4f) + 0.2f * diffuse_color);
+  }, "specular.blinn", blinn_term);
+}
+
+TEST(Gooch, TonesAndSharesAreWhatOneSets) {
+  WallProbe wall("diffuse", "diffuse.gooch", R"({"cool": [0.1, 0.2, 0.3], "warm": [0.3, 0.2, 0], "alpha": 0.5, "beta": 0.25})", R"("diffuse_color": [0.4, 0.8, 0.2])");
+  const glm::vec3 warm = wall.reflected({0, 0, 1}), cool = wall.reflected({0, 0, -1});
+  for (int c = 0; c < 3; ++c) {
+    EXPECT_NEAR(warm[c], glm::vec3(0.4f, 0.4f, 0.05f)[c], 1e-5f);
+    EXPECT_NEAR(cool[c], glm::vec3(0.3f, 0.6f, 0.4f)[c], 1e-5f);
+  }
+}
+
+/// Detail from nothing to full as light from 0 to 1, whatever the tone.
+const std::string detail_as_light = R"("fine": {"range": [0, 1], "points": [[0, 1, 1, 1, 1], [1, 1, 1, 1, 1]]}, "coarse": {"range": [0, 1], "points": [[0, 0, 0, 0, 1], [1, 0, 0, 0, 1]]})";
+
+TEST(XToon, DetailFadesTowardSilhouettes) {
+  expect_closed_form_everywhere("diffuse.x_toon", [](const Angles& a) { return diffuse_color * std::pow(std::clamp(glm::dot(a.n, a.v), 0.0f, 1.0f), 0.7f); },
+                                "specular.blinn", blinn_term, R"({"detail": "silhouette", "power": 0.7, )" + detail_as_light + "}");
+}
+
+TEST(XToon, DetailFadesAwayFromHighlights) {
+  expect_closed_form_everywhere("diffuse.x_toon", [](const Angles& a) {
+    return diffuse_color * std::pow(std::clamp(glm::dot(2 * glm::dot(a.n, a.l) * a.n - a.l, a.v), 0.0f, 1.0f), 3.0f);
+  }, "specular.blinn", blinn_term, R"({"detail": "highlight", "power": 3, )" + detail_as_light + "}");
+}
+
+TEST(XToon, TonesAreReadFromBothFunctions) {
+  // Linear in N.L from -1 to 1, other colors at each end, so that a 1024-texel table holds them exactly.
+  const std::string maps = R"("fine": {"range": [-1, 1], "points": [[-1, 0, 0.2, 1, 1], [1, 1, 0.4, 0, 1]]}, "coarse": {"range": [-1, 1], "points": [[-1, 0.5, 0, 0, 1], [1, 0.7, 1, 0, 1]]})";
+  expect_closed_form_everywhere("diffuse.x_toon", [](const Angles& a) {
+    const float tone = (1 + glm::dot(a.n, a.l)) / 2, detail = glm::dot(a.n, a.v);
+    const glm::vec3 fine = glm::mix(glm::vec3(0, 0.2f, 1), glm::vec3(1, 0.4f, 0), tone), coarse = glm::mix(glm::vec3(0.5f, 0, 0), glm::vec3(0.7f, 1, 0), tone);
+    return diffuse_color * glm::mix(coarse, fine, detail);
+  }, "specular.blinn", blinn_term, R"({"detail": "silhouette", )" + maps + "}");
+}
+
+TEST(XToon, DetailFadesWithTheLogarithmOfDistance) {
+  for (const bool perspective : {true, false}) {
+    Scene scene({48, 48});
+    add_ball(scene, "diffuse.x_toon", "specular.blinn", "{" + detail_as_light + R"(, "nearest": 0.25, "farthest": 0.6})");
+    scene.set("camera.distance", "3");
+    if (perspective) look_from_near(scene, 3);
+    const Pixels depth = scene.layer("depth"), diffuse = scene.layer("diffuse");
+    const double radius = std::sqrt(3.0), first = 3 - radius + 0.25 * 2 * radius, last = 3 - radius + 0.6 * 2 * radius;
+    int between = 0;
+    for (int y = 0; y < 48; ++y)
+      for (int x = 0; x < 48; ++x) {
+        const double z = depth.at(x, y);
+        if (std::isinf(z)) continue;
+        const double passed = perspective ? std::log(z / first) / std::log(last / first) : (z - first) / (last - first);
+        const double detail = 1 - std::clamp(passed, 0.0, 1.0);
+        between += detail > 0 && detail < 1;
+        ASSERT_NEAR(diffuse.at(x, y), diffuse_color.x * detail, 1e-4) << x << ", " << y;
+      }
+    EXPECT_GT(between, 300);
+  }
+}
+
+TEST(XToon, FallsInBandsByItself) {
+  WallProbe wall("diffuse", "diffuse.x_toon", R"({"detail": "silhouette"})");
+  const auto at = [&](float tone) { return wall.reflected({std::sqrt(1 - tone * tone), 0, tone}).x; };
+  EXPECT_NEAR(at(0.98f), 1, 1e-5f);
+  EXPECT_NEAR(at(0.9f), 0.8f, 1e-5f);
+  EXPECT_NEAR(at(0.7f), 0.8f, 1e-5f);
+  EXPECT_NEAR(at(0.45f), 0.5f, 1e-5f);
+  EXPECT_NEAR(at(0.2f), 0.25f, 1e-5f);
+  EXPECT_NEAR(at(0.02f), 0.08f, 1e-5f);
+}
+
+/// Diffusion around a ring as a Fourier series: each harmonic of max(0, cos) damped by 1 + n^2 s^2.
+double ring(double s, double angle) {
+  double sum = 1 / std::numbers::pi + std::cos(angle) / (2 * (1 + s * s)), sign = 1;
+  for (int k = 1; k <= 400; ++k, sign = -sign) sum += 2 / std::numbers::pi * sign * std::cos(2 * k * angle) / ((4.0 * k * k - 1) * (1 + 4.0 * k * k * s * s));
+  return sum;
+}
+
+TEST(Subsurface, IsLambertWithoutWidth) {
+  expect_closed_form_everywhere("diffuse.subsurface", lambert_term, "specular.blinn", blinn_term, R"({"width": 0, "through": 0})");
+}
+
+TEST(Subsurface, DiffusesAsTheFourierSeriesOfARing) {
+  WallProbe wall("diffuse", "diffuse.subsurface", R"({"through": 0, "spread": [1, 0.5, 0.1]})");
+  for (const double width : {0.3, 1.0, 3.0}) {
+    wall.set("width", std::to_string(width));
+    for (int degrees = 0; degrees <= 180; degrees += 9) {
+      const glm::vec3 value = wall.reflected(turned(float(degrees)));
+      const double angle = degrees * std::numbers::pi / 180;
+      EXPECT_NEAR(value.r, ring(width, angle), term_tolerance) << width << ", " << degrees << " degrees";
+      EXPECT_NEAR(value.g, ring(width * 0.5, angle), term_tolerance) << width << ", " << degrees << " degrees";
+      EXPECT_NEAR(value.b, ring(width * 0.1, angle), term_tolerance) << width << ", " << degrees << " degrees";
+    }
+  }
+}
+
+TEST(Subsurface, KeepsTheLightOfTheRingAndReddensTheTerminator) {
+  WallProbe wall("diffuse", "diffuse.subsurface", R"({"through": 0})");
+  glm::dvec3 sum(0);
+  constexpr int steps = 180;
+  for (int i = 0; i < steps; ++i) sum += glm::dvec3(wall.reflected(turned(360.0f * (float(i) + 0.5f) / steps)));
+  for (int c = 0; c < 3; ++c) EXPECT_NEAR(sum[c] / steps, 1 / std::numbers::pi, 1e-4);
+  const glm::vec3 terminator = wall.reflected(turned(92));
+  EXPECT_GT(terminator.r, 1.5f * terminator.g);
+  EXPECT_GT(terminator.g, 1.5f * terminator.b);
+}
+
+TEST(Subsurface, LightFromBehindShinesThrough) {
+  Scene scene({40, 40});
+  add_ball(scene, "diffuse.subsurface", "specular.blinn", R"({"width": 0, "through": 0.5, "distortion": 0.4, "sharpness": 3, "spread": [1, 0.6, 0.2]})");
+  look_from_near(scene);
+  for (const glm::vec3 toward : {glm::normalize(glm::vec3(0.2f, 0.1f, -1)), glm::vec3(1, 0, 0), slanted}) {
+    scene.set("front.direction", json(toward));
+    expect_closed_form(scene, {{.direction = toward}}, [](const Angles& a) {
+      const float straight = std::max(0.0f, -glm::dot(a.v, glm::normalize(a.l + 0.4f * a.n)));
+      return lambert_term(a) + diffuse_color * glm::vec3(1, 0.6f, 0.2f) * 0.5f * straight * straight * straight;
+    }, blinn_term);
+  }
+}
+
 }  // namespace
 }  // namespace lumen::testing
