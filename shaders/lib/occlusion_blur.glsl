@@ -12,7 +12,7 @@ struct Tangent {
 Tangent tangent_at(vec2 uv, float depth, float radius) {
   vec3 normal = normal_at(uv);
   vec2 slope = normal.xy * lumen.unproject.xy;
-  float reach = min(radius, 0.02 * lumen.extent.z);
+  float reach = min(radius, 0.05 * lumen.extent.z);
   if (orthographic()) {
     slope /= max(normal.z, 0.05);
     return Tangent(vec3(slope, depth - dot(slope, uv)), depth, reach);

@@ -19,6 +19,11 @@ struct Technique {
 
 class ClosedForm : public testing::TestWithParam<Technique> {
  protected:
+  void look_in_perspective() {
+    scene_.set("camera.projection", "perspective");
+    scene_.set("camera.distance", "3");
+    scene_.set("camera.field_of_view", "40");
+  }
   Pixels occlusion_of(const std::shared_ptr<lumen::Mesh>& mesh) {
     scene_.surface("surface", mesh);
     scene_.add(GetParam().type, "ao", GetParam().properties);
@@ -49,6 +54,16 @@ CREASE(60)
 CREASE(90)
 CREASE(120)
 CREASE(150)
+
+TEST_P(ClosedForm, CreaseInPerspective) {
+  look_in_perspective();
+  EXPECT_NEAR(in_the_middle(occluders::crease(100)), (1 + std::cos(100 * occluders::pi / 180)) / 2, tolerance);
+}
+
+TEST_P(ClosedForm, BowlInPerspective) {
+  look_in_perspective();
+  EXPECT_NEAR(in_the_middle(occluders::bowl(0.8f, 0.4f)), 0.25f, tolerance);
+}
 
 TEST_P(ClosedForm, FootOfAWall) {
   constexpr float height = 0.4f;

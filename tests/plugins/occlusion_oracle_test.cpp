@@ -1,5 +1,5 @@
 /// occlusion.ssao: what must be 0 is 0, what must not be is not. occlusion.hbao: what its integral gives, which no cosine weights.
-/// occlusion.voxel: a pit as deep as voxels see it.
+/// occlusion.voxel: closed forms, as near as voxels come.
 
 #include <gtest/gtest.h>
 #include <lumen/testing.h>
@@ -113,6 +113,14 @@ TEST(Voxel, PitIsTheClosedForm) {
   pit.add("occlusion.voxel", "voxel", R"({"radius": 4, "falloff": false, "thickness": 4, "rays": 16, "steps": 128, "refinements": 4})");
   EXPECT_NEAR(occluders::mean(pit.layer("occlusion"), 56, 56, 72, 72), 0.5f, 0.1f);
   EXPECT_TRUE(pit.problems().empty());
+}
+
+TEST(Voxel, CreaseIsTheClosedFormAVoxelAwayFromIt) {
+  Scene scene({128, 128});
+  scene.surface("crease", occluders::crease(90));
+  scene.add("occlusion.voxel", "voxel", R"({"radius": 4, "falloff": false, "thickness": 4, "rays": 16, "steps": 128, "refinements": 4})");
+  const auto wall_of_length = [](float x) { return 0.5f * (1 - 1 / std::sqrt(1 + 1.21f / (x * x))); };  // it ends at x = 1.1
+  EXPECT_NEAR(occluders::mean(scene.layer("occlusion"), 72, 56, 84, 72), occluders::mean_of(wall_of_length, 72, 84, 128), 0.08f);
 }
 
 }  // namespace
