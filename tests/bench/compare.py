@@ -24,7 +24,9 @@ def parse_arguments():
     parser.add_argument("--frames", type=int, default=30)
     parser.add_argument("--turns", type=int, default=5, help="how often each program runs")
     parser.add_argument("--triangles", type=int, default=1_000_000, help="of the phantom")
-    parser.add_argument("--ssao", action="store_true", help="with screen-space ambient occlusion of 32 samples")
+    parser.add_argument("--ssao", type=int, nargs="?", const=64, default=0, metavar="SAMPLES",
+                        help="with screen-space ambient occlusion, blurred, of so many samples (alone: 64)")
+    parser.add_argument("--frame-only", action="store_true", help="leave out whole processes, and f3d")
     return parser.parse_args()
 
 
@@ -81,7 +83,7 @@ def session_of(mesh, folder, ssao, camera):
         "views": {"main": {"camera": "camera", "lights": ["front", "back"], "renderers": ["surface"], "antialiasing": 1}},
     }
     if ssao:
-        session["plugins"]["ssao"] = {"type": "occlusion.ssao", "samples": 32}
+        session["plugins"]["ssao"] = {"type": "occlusion.ssao", "samples": ssao}
         session["views"]["main"]["occlusion"] = "ssao"
     file = folder / "scene.json"
     file.write_text(json.dumps(session, indent=2))
@@ -110,7 +112,7 @@ def main():
         ours, theirs = [], []
         for _ in range(arguments.turns):
             ours.append(json.loads(output_of([program, "bench", scene, "--size", arguments.size, "--frames", arguments.frames, "--json"])))
-            theirs.append(json.loads(output_of(vtk + [arguments.frames] + ["--ssao"] * arguments.ssao, display)))
+            theirs.append(json.loads(output_of(vtk + [arguments.frames] + (["--ssao", arguments.ssao] if arguments.ssao else []), display)))
         frame = statistics.median(run["frame"]["median_ms"] for run in ours)
         frame_vtk = statistics.median(run["frame"]["median_ms"] for run in theirs)
         print(f"{mesh.name}, {theirs[0]['triangles']:,} triangles, {arguments.size}, medians of {arguments.turns} runs in turns")
@@ -119,6 +121,8 @@ def main():
         if host:
             print(f"host CPU     {statistics.median(host):8.3f} ms   per frame, GL work aside")
 
+        if arguments.frame_only:
+            return
         ours, theirs = [], []
         for _ in range(arguments.turns):
             ours.append(measure_process([program, "render", mesh, "-o", folder / "ours.png", "--size", arguments.size]))

@@ -1,5 +1,5 @@
 /// The peer of `lumenshop bench`: draws a mesh off screen with VTK, the camera turned by half a degree each frame.
-///   vtk-peer FILE WIDTH HEIGHT FRAMES [--ssao]
+///   vtk-peer FILE WIDTH HEIGHT FRAMES [--ssao SAMPLES]
 /// Prints the quartiles of a frame in milliseconds, the camera and the peak memory as JSON. Debian's VTK needs an X server: xvfb-run.
 #include <algorithm>
 #include <chrono>
@@ -67,7 +67,7 @@ void add_light(vtkRenderer* renderer, double x, double y, double z, double inten
 
 double at(const std::vector<double>& sorted, double fraction) { return sorted[std::size_t(fraction * double(sorted.size() - 1) + 0.5)]; }
 
-int run(const std::string& file, int width, int height, int frames, bool ssao) {
+int run(const std::string& file, int width, int height, int frames, int ssao_samples) {
   const auto mesh = read(file);
   vtkNew<vtkPolyDataMapper> mapper;
   mapper->SetInputData(mesh);
@@ -84,11 +84,11 @@ int run(const std::string& file, int width, int height, int frames, bool ssao) {
   renderer->AutomaticLightCreationOff();
   add_light(renderer, 0.3, -1, 0.4, 1);
   add_light(renderer, -0.3, 1, -0.2, 0.4);
-  if (ssao) {
+  if (ssao_samples > 0) {
     vtkNew<vtkRenderStepsPass> steps;
     vtkNew<vtkSSAOPass> pass;
     pass->SetDelegatePass(steps);
-    pass->SetKernelSize(32);
+    pass->SetKernelSize(unsigned(ssao_samples));
     pass->SetRadius(0.05 * mesh->GetLength() / 2);
     pass->BlurOn();
     renderer->SetPass(pass);
@@ -135,12 +135,12 @@ int run(const std::string& file, int width, int height, int frames, bool ssao) {
 }  // namespace
 
 int main(int argument_count, char** arguments) {
-  if (argument_count < 5) {
-    std::fputs("usage: vtk-peer FILE WIDTH HEIGHT FRAMES [--ssao]\n", stderr);
+  if (argument_count < 5 || argument_count == 6) {
+    std::fputs("usage: vtk-peer FILE WIDTH HEIGHT FRAMES [--ssao SAMPLES]\n", stderr);
     return 2;
   }
   try {
-    return run(arguments[1], std::atoi(arguments[2]), std::atoi(arguments[3]), std::atoi(arguments[4]), argument_count > 5);
+    return run(arguments[1], std::atoi(arguments[2]), std::atoi(arguments[3]), std::atoi(arguments[4]), argument_count > 6 ? std::atoi(arguments[6]) : 0);
   } catch (const std::exception& error) {
     std::fprintf(stderr, "vtk-peer: %s\n", error.what());
     return 1;
