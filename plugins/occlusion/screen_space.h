@@ -31,10 +31,8 @@ class ScreenSpace : public lumen::Occlusion {
   void render(lumen::Frame& frame) override { gather_and_smooth(frame, {}); }
 
  protected:
-  using Inputs = decltype(lumen::FullscreenPass::inputs);
-
   /// `inputs`: what the shader reads besides its layers.
-  void gather_and_smooth(lumen::Frame& frame, Inputs inputs) {
+  void gather_and_smooth(lumen::Frame& frame, lumen::TextureInputs inputs) {
     constexpr const char* smooth = "lib/occlusion_blur.glsl";
     const glm::ivec2 size = half_resolution ? (frame.size() + 1) / 2 : frame.size();
     const auto scratch = [&](const char* name) { return &frame.scratch(name, lumen::Format::RG32F, size); };
