@@ -46,20 +46,21 @@ class SrgbTable {
 
 std::shared_ptr<lumen::Image> displayable_color(const lumen::Image& layer, bool encode) {
   const std::size_t channels = layer.channels.size(), count = std::size_t(layer.width) * layer.height;
+  const float* const stored = layer.pixels.data();
   bool translucent = false;
   if (channels == 4)
-    for (std::size_t pixel = 0; pixel < count && !translucent; ++pixel) translucent = layer.pixels[4 * pixel + 3] < 0.9995f;
+    for (std::size_t pixel = 0; pixel < count && !translucent; ++pixel) translucent = stored[4 * pixel + 3] < 0.9995f;
   const std::size_t kept = channels == 4 && !translucent ? 3 : channels;
   const SrgbTable encoded;
-  std::vector<float> pixels;
-  pixels.reserve(count * kept);
+  std::vector<float> pixels(count * kept);
+  float* out = pixels.data();
   for (std::size_t pixel = 0; pixel < count; ++pixel) {
-    const float* in = &layer.pixels[pixel * channels];
+    const float* in = stored + pixel * channels;
     const float scale = translucent && in[3] > 0 ? 1 / in[3] : 1;
     for (std::size_t channel = 0; channel < kept; ++channel) {
       const bool alpha = channel == 3;
       const float value = alpha ? in[channel] : in[channel] * scale;
-      pixels.push_back(encode && !alpha ? encoded(value) : std::clamp(value, 0.0f, 1.0f));
+      *out++ = encode && !alpha ? encoded(value) : std::clamp(value, 0.0f, 1.0f);
     }
   }
   std::vector<std::string> names(layer.channels.begin(), layer.channels.begin() + kept);

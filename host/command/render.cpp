@@ -1,6 +1,8 @@
 /// `lumenshop render`: a session or data becomes a picture file, or one per frame.
 #include <cstdio>
 
+#include <malloc.h>
+
 #include <lumen/error.h>
 
 #include "command/commands.h"
@@ -30,17 +32,30 @@ std::shared_ptr<lumen::Image> picture_of(Offscreen& offscreen, const RenderOptio
     for (const std::string& layer : layers) images.emplace_back(layer, view.layer(layer));
     return combined(images);
   }
-  auto image = view.layer(options.layer);
-  if (keeps_floats(options.output)) return image;
-  const std::string view_id = options.view.empty() ? offscreen.workshop().session().views().front()->id() : options.view;
+  return view.layer(options.layer);
+}
+
+/// What goes to the file.
+std::shared_ptr<lumen::Image> encoded(std::shared_ptr<lumen::Image> image, const RenderOptions& options, const DisplayOptions& display) {
+  return options.layer == "all" || keeps_floats(options.output) ? image : displayable(*image, options.layer, display);
+}
+
+DisplayOptions display_of(Offscreen& offscreen, const std::string& view_id) {
   const auto [instance, slot] = offscreen.workshop().session().resolve(view_id + ".encode_srgb");
-  return displayable(*image, options.layer,
-                     {.encode_srgb = std::get<bool>(instance->read(slot)), .extent = scene_extent(view.camera(), view.scene_bounds())});
+  return {.encode_srgb = std::get<bool>(instance->read(slot)), .extent = scene_extent(offscreen.view().camera(), offscreen.view().scene_bounds())};
+}
+
+/// Returning memory costs less than finding it again, but layers, which are large, go at once: the peak counts.
+void keep_memory() {
+  mallopt(M_MMAP_THRESHOLD, 1 << 20);
+  mallopt(M_TRIM_THRESHOLD, 64 << 20);
+  mallopt(M_TOP_PAD, 4 << 20);
 }
 
 }  // namespace
 
 int run_render(const RenderOptions& options, const std::vector<std::filesystem::path>& plugin_folders) {
+  keep_memory();
   const std::vector<std::string> layers = layers_of(options);
   Offscreen offscreen({.files = options.files, .plugin_folders = plugin_folders, .overrides = options.overrides,
                        .view = options.view, .size = options.size, .warm_worker = options.output.extension() == ".png" ? "png" : "openimageio"});
@@ -49,20 +64,26 @@ int run_render(const RenderOptions& options, const std::vector<std::filesystem::
   Instance& exporter = formats.exporter_of(options.output, lumen::DataKind::image);
   offscreen.view().request(layers);
 
+  const std::string view_id = options.view.empty() ? workshop.session().views().front()->id() : options.view;
+  Findings findings;
   if (!options.frames) {
     offscreen.finish();
-    workshop.scheduler().write_file(exporter, picture_of(offscreen, options, layers), std::filesystem::absolute(options.output));
+    malloc_trim(0);
+    auto image = picture_of(offscreen, options, layers);
+    const DisplayOptions display = display_of(offscreen, view_id);
+    findings = offscreen.all_findings();
+    offscreen.workshop().close_views();  // their memory serves the encoding
+    image = encoded(std::move(image), options, display);
+    workshop.scheduler().write_file(exporter, std::move(image), std::filesystem::absolute(options.output));
   } else {
-    const std::string view_id = options.view.empty() ? workshop.session().views().front()->id() : options.view;
     for (int frame = options.frames->first; frame <= options.frames->last; ++frame) {
       workshop.session().override_value(view_id + ".time", std::to_string(frame / frames_per_second));
       offscreen.finish();
-      workshop.scheduler().write_file(exporter, picture_of(offscreen, options, layers),
+      workshop.scheduler().write_file(exporter, encoded(picture_of(offscreen, options, layers), options, display_of(offscreen, view_id)),
                                       std::filesystem::absolute(frame_name(options.output, frame)));
     }
+    findings = offscreen.all_findings();
   }
-
-  const Findings findings = offscreen.all_findings();
   std::fputs(findings.text().c_str(), stderr);
   return findings.empty() ? exit_well : exit_failed;
 }

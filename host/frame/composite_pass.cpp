@@ -16,9 +16,9 @@ Program* composite_program(ShaderLibrary& shaders, const std::string& function) 
   });
 }
 
-void begin(const lumen::gl::Framebuffer& target, glm::ivec2 size) {
+void begin(const lumen::gl::Framebuffer& target, const PixelBox& pixels) {
   target.bind();
-  glViewport(0, 0, size.x, size.y);
+  glViewport(pixels.begin.x, pixels.begin.y, pixels.size().x, pixels.size().y);
   glDisable(GL_DEPTH_TEST);
   glDisable(GL_BLEND);
 }
@@ -32,7 +32,7 @@ void run_merge_pass(const FrameContext& context) {
   context.log.run("merge", context.set, key, [&] {
     const lumen::gl::Texture* const targets[] = {&merged};
     const lumen::gl::Framebuffer target(targets, nullptr);
-    begin(target, merged.size());
+    begin(target, {{0, 0}, merged.size()});
     Program* program = composite_program(context.shaders, "merge");
     if (program == nullptr) return;
     program->use();
@@ -43,23 +43,59 @@ void run_merge_pass(const FrameContext& context) {
   });
 }
 
-void accumulate(const FrameContext& context, const lumen::gl::Texture& source, LayerStore& sums, const std::string& sum, int count) {
-  const lumen::gl::Texture& mean = sums.allocate(sum, lumen::Format::RGBA32F, source.size());
+void add_to_mean(const FrameContext& context, const lumen::gl::Texture& source, const lumen::gl::Texture& mean, const PixelBox& pixels, int rounds) {
   const lumen::gl::Texture* const targets[] = {&mean};
-  const lumen::gl::Framebuffer target(targets, nullptr);
-  begin(target, mean.size());
-  Program* program = composite_program(context.shaders, "copy");
+  const lumen::gl::Framebuffer framebuffer(targets, nullptr);
+  begin(framebuffer, pixels);
+  Program* program = composite_program(context.shaders, "mean");
   if (program == nullptr) return;
   program->use();
   program->bind("lumen_source", source.name());
-  if (count > 0) {
+  program->set("lumen_begin", glm::vec4(pixels.begin, context.geometry.border, 0));
+  if (rounds > 0) {
     glEnable(GL_BLEND);
-    glBlendColor(0, 0, 0, 1.0f / float(count + 1));
+    glBlendColor(0, 0, 0, 1.0f / float(rounds + 1));
     glBlendFunc(GL_CONSTANT_ALPHA, GL_ONE_MINUS_CONSTANT_ALPHA);
   }
   draw_fullscreen_triangle();
   glDisable(GL_BLEND);
-  sums.drawn(sum);
+}
+
+void pick_samples(const FrameContext& context, LayerStore& centers, const PixelBox& pixels) {
+  const LayerStore& samples = context.layers;
+  const lumen::gl::Texture* const targets[] = {centers.find("normal"), centers.find("depth")};
+  const lumen::gl::Framebuffer framebuffer(targets, centers.find("depth_buffer"));
+  begin(framebuffer, pixels);
+  Program* program = composite_program(context.shaders, "pick");
+  if (program == nullptr) return;
+  program->use();
+  program->bind("lumen_source", samples.find("normal")->name());
+  program->bind("lumen_over", samples.find("depth")->name());
+  program->bind("lumen_depths", samples.find("depth_buffer")->name());
+  program->set("lumen_begin", glm::vec4(pixels.begin, context.geometry.border, 0));
+  glEnable(GL_DEPTH_TEST);
+  glDepthFunc(GL_ALWAYS);
+  glDepthMask(GL_TRUE);
+  draw_fullscreen_triangle();
+  for (const char* layer : {"normal", "depth", "depth_buffer"}) centers.drawn(layer);
+}
+
+void add_attenuated(const FrameContext& context, const lumen::gl::Texture& open, const std::string& occlusion_layer, const lumen::gl::Texture& sum,
+                    const PixelBox& pixels) {
+  const lumen::gl::Texture* const targets[] = {&sum};
+  const lumen::gl::Framebuffer framebuffer(targets, nullptr);
+  begin(framebuffer, pixels);
+  const lumen::gl::Texture* occlusion = context.layers.find(occlusion_layer);
+  Program* program = composite_program(context.shaders, occlusion == nullptr ? "shifted" : occlusion_layer == "occlusion" ? "unoccluded" : "illuminated");
+  if (program == nullptr) return;
+  program->use();
+  program->bind("lumen_source", open.name());
+  program->set("lumen_begin", glm::vec4(pixels.begin, 0, 0));
+  if (occlusion != nullptr) program->bind("lumen_over", occlusion->name());
+  glEnable(GL_BLEND);
+  glBlendFunc(GL_ONE, GL_ONE);
+  draw_fullscreen_triangle();
+  glDisable(GL_BLEND);
 }
 
 }  // namespace lumenshop

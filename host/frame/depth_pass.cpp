@@ -11,11 +11,11 @@ namespace lumenshop {
 
 void draw_depth(const FrameContext& context, const lumen::Camera& camera, const lumen::gl::Texture& depth) {
   const ViewScene& scene = context.scene;
-  const ViewGeometry geometry = make_geometry(camera, depth.size(), 0, {0, 0}, scene.bounds, scene.split_bounds, {}, 0);
+  const ViewGeometry geometry = make_geometry(camera, {.picture = depth.size(), .size = depth.size()}, scene.bounds, scene.split_bounds, {}, 0);
   const lumen::gl::Buffer block(std::as_bytes(std::span(&geometry.block, 1)));
   const FrameContext other{context.session, context.shaders, context.values, context.shading, context.log,
                            context.layers,  context.centers, context.scene,  geometry,        block,
-                           context.light_block, context.geometry_key, context.light_key, context.lights, context.set};
+                           context.light_block, context.to_centers, context.geometry_key, context.light_key, context.lights, context.set};
   const lumen::gl::Texture buffer(lumen::Format::depth32F, depth.size());
   const lumen::gl::Texture* const targets[] = {&depth};
   const lumen::gl::Framebuffer target(targets, &buffer);

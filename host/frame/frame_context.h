@@ -25,10 +25,11 @@ struct FrameContext {
   const ViewGeometry& geometry;
   const lumen::gl::Buffer& frame_block;
   const lumen::gl::Buffer& light_block;
-  std::uint64_t geometry_key;       ///< differs with camera, size, jitter and scene extent
+  glm::vec4 to_centers;             ///< uv of the centers' layers = this set's uv * xy + zw
+  std::uint64_t geometry_key;       ///< differs with camera, window and scene extent
   std::uint64_t light_key;          ///< differs with the lights
   int lights;                       ///< how many
-  int set;                          ///< 0: pixel centers; 1: the other samples, which are not kept
+  int set;                          ///< 0: pixel centers; 1: antialiasing's samples, which are not kept
 
   /// The blocks and the value table, for a program that is about to draw.
   void bind(Program& program) const;

@@ -1,5 +1,7 @@
 #include "frame/layer_store.h"
 
+#include <algorithm>
+
 namespace lumenshop {
 
 const lumen::gl::Texture& LayerStore::allocate(std::string_view name, lumen::Format format, glm::ivec2 size) {
@@ -24,6 +26,10 @@ std::uint64_t LayerStore::revision(std::string_view name) const {
 
 void LayerStore::drawn(std::string_view name) {
   if (const auto found = layers_.find(name); found != layers_.end()) found->second.revision = ++clock_;
+}
+
+void LayerStore::keep(std::initializer_list<std::string_view> names) {
+  std::erase_if(layers_, [&](const auto& layer) { return std::find(names.begin(), names.end(), layer.first) == names.end(); });
 }
 
 void LayerStore::drop(std::string_view name) {

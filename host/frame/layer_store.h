@@ -1,6 +1,7 @@
 /// The textures of a view's layers, by name, with a revision that grows whenever one is drawn anew.
 #pragma once
 
+#include <initializer_list>
 #include <map>
 #include <string>
 #include <string_view>
@@ -18,6 +19,7 @@ class LayerStore {
   std::uint64_t revision(std::string_view name) const;  ///< 0 = not there
   void drawn(std::string_view name);                    ///< its contents are new
   void drop(std::string_view name);
+  void keep(std::initializer_list<std::string_view> names);  ///< drops all others
   void clear() { layers_.clear(); }
 
  private:

@@ -17,13 +17,15 @@ Visibility visibility_of(const FrameContext& context) {
   return visibility;
 }
 
-void run_lighting_pass(const FrameContext& context, bool summands) {
+void run_lighting_pass(const FrameContext& context, LightingOutput output) {
   LayerStore& layers = context.layers;
   const glm::ivec2 size = context.geometry.size();
-  const Visibility visibility = visibility_of(context);
+  Visibility visibility = visibility_of(context);
+  if (output == LightingOutput::apart) visibility.layer.clear();
   const lumen::gl::Texture* albedo = layers.find("albedo");
   std::vector<const char*> names = {"lit"};
-  if (summands) names.insert(names.end(), {"ambient", "diffuse", "specular"});
+  if (output == LightingOutput::summands) names.insert(names.end(), {"ambient", "diffuse", "specular"});
+  if (output == LightingOutput::apart) names.push_back("open");
   std::vector<const lumen::gl::Texture*> targets;
   for (const char* name : names) targets.push_back(&layers.allocate(name, lumen::Format::RGBA32F, size));
 
@@ -34,7 +36,7 @@ void run_lighting_pass(const FrameContext& context, bool summands) {
                                       .add(visibility.layer)
                                       .add(visibility.attenuates)
                                       .add(albedo != nullptr)
-                                      .add(summands)
+                                      .add(output)
                                       .add(context.lights)
                                       .add(only == nullptr)
                                       .value();
@@ -56,7 +58,7 @@ void run_lighting_pass(const FrameContext& context, bool summands) {
     for (const char* name : names) layers.drawn(name);
     Program* program = context.shaders.program("lighting", signature, [&](ProgramText& vertex, ProgramText& fragment) {
       vertex.generated(fullscreen_triangle);
-      fragment.generated("uniform sampler2D lumen_layer_normal, lumen_layer_depth, lumen_layer_albedo, lumen_visibility_layer;");
+      fragment.generated("uniform sampler2D lumen_layer_normal, lumen_layer_depth, lumen_layer_albedo, lumen_visibility_layer;\nuniform vec4 lumen_to_centers;");
       fragment.include("host/lighting.glsl");
       context.shading.write(fragment, visibility.attenuates, context.lights, false, only);
       std::string main;
@@ -65,10 +67,19 @@ void run_lighting_pass(const FrameContext& context, bool summands) {
       main += only == nullptr ? "  lumen_material(s);\n" : "  lumen_own_material(s);\n";
       if (albedo != nullptr) main += "  s.diffuse_color = textureLod(lumen_layer_albedo, uv, 0.0).rgb;\n";
       main += "  vec3 visibility = vec3(1);\n";
-      if (visibility.layer == "occlusion") main += "  visibility -= textureLod(lumen_visibility_layer, uv, 0.0).r;\n";
-      if (visibility.layer == "illumination") main += "  visibility = textureLod(lumen_visibility_layer, uv, 0.0).rgb;\n";
-      main += "  Lighting l = shade(s, visibility);\n  lumen_lit = vec4(l.ambient + l.diffuse + l.specular, 1);\n";
-      for (std::size_t i = 1; i < names.size(); ++i) main += std::string("  lumen_") + names[i] + " = vec4(l." + names[i] + ", 1);\n";
+      if (!visibility.layer.empty()) main += "  vec4 seen = textureLod(lumen_visibility_layer, uv * lumen_to_centers.xy + lumen_to_centers.zw, 0.0);\n";
+      if (visibility.layer == "occlusion") main += "  visibility -= seen.r;\n";
+      if (visibility.layer == "illumination") main += "  visibility = seen.rgb;\n";
+      main += "  Lighting l = shade(s, visibility);\n";
+      if (output == LightingOutput::apart) {
+        const char* const attenuated = visibility.attenuates == lumen::Attenuates::ambient      ? "l.ambient"
+                                       : visibility.attenuates == lumen::Attenuates::everything ? "l.ambient + l.diffuse + l.specular"
+                                                                                                : "l.ambient + l.diffuse";
+        main += std::string("  lumen_open = vec4(") + attenuated + ", 0);\n  lumen_lit = vec4(l.ambient + l.diffuse + l.specular - lumen_open.rgb, 1);\n";
+      } else {
+        main += "  lumen_lit = vec4(l.ambient + l.diffuse + l.specular, 1);\n";
+        for (std::size_t i = 1; i < names.size(); ++i) main += std::string("  lumen_") + names[i] + " = vec4(l." + names[i] + ", 1);\n";
+      }
       fragment.generated(main + "}\n");
     });
     if (program == nullptr) return;
@@ -77,7 +88,10 @@ void run_lighting_pass(const FrameContext& context, bool summands) {
     program->bind("lumen_layer_normal", layers.find("normal")->name());
     program->bind("lumen_layer_depth", layers.find("depth")->name());
     if (albedo != nullptr) program->bind("lumen_layer_albedo", albedo->name());
-    if (!visibility.layer.empty()) program->bind("lumen_visibility_layer", context.centers.find(visibility.layer)->name());
+    if (!visibility.layer.empty()) {
+      program->bind("lumen_visibility_layer", context.centers.find(visibility.layer)->name());
+      program->set("lumen_to_centers", context.to_centers);
+    }
     // Only covered pixels: the triangle lies at the far plane, behind what was drawn.
     glDisable(GL_BLEND);
     glEnable(GL_DEPTH_TEST);

@@ -1,12 +1,17 @@
-/// One full-screen pass lights all opaque surfaces: `lit` (radiance, alpha 1 where covered), and its summands if wanted.
+/// One full-screen pass lights all opaque surfaces: `lit` (radiance, alpha 1 where covered), and parts of it if wanted.
 #pragma once
 
 #include "frame/frame_context.h"
 
 namespace lumenshop {
 
-/// Reads depth, normal, albedo and what the view's occlusion wrote. Runs if due. `summands`: also ambient, diffuse, specular.
-void run_lighting_pass(const FrameContext& context, bool summands);
+enum class LightingOutput {
+  lit,
+  summands,   ///< also ambient, diffuse, specular
+  apart,      ///< `lit` lacks what the occlusion attenuates; that is in `open`, as it is without the occlusion
+};
+/// Reads depth, normal, albedo and, unless apart, what the view's occlusion wrote. Runs if due.
+void run_lighting_pass(const FrameContext& context, LightingOutput output);
 
 /// What the view's occlusion wrote and what it multiplies.
 struct Visibility {

@@ -87,6 +87,12 @@ const lumen::gl::Texture& PluginPass::scratch(std::string_view name, lumen::Form
   return context_.layers.allocate(name_ + "/" + std::string(name), format, size);
 }
 
+glm::vec3 PluginPass::view_position(glm::ivec2 pixel, float depth) const {
+  const glm::vec4& unproject = context_.geometry.block.unproject;
+  const glm::vec2 plane = (glm::vec2(pixel) + 0.5f) / glm::vec2(size()) * glm::vec2(unproject) + glm::vec2(unproject.z, unproject.w);
+  return {context_.geometry.camera.orthographic ? plane : plane * depth, -depth};
+}
+
 std::vector<lumen::Light> PluginPass::lights() const {
   memory_.uses_lights = true;
   std::vector<lumen::Light> lights;

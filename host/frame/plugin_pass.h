@@ -39,6 +39,7 @@ class PluginPass final : public lumen::TransparencyFrame {
   float scene_radius() const override { return context_.geometry.scene_radius; }
   glm::vec2 extent() const override { return context_.geometry.extent; }
   double time() const override;
+  glm::vec3 view_position(glm::ivec2 pixel, float depth) const override;
   std::vector<lumen::Light> lights() const override;
   std::vector<lumen::TracedSurface> traced_surfaces() const override;
   const lumen::gl::Texture& layer(const lumen::Reads& reads) const override;

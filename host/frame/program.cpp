@@ -95,6 +95,7 @@ int Program::location(std::string_view uniform) {
 
 void Program::set(std::string_view uniform, int value) { glProgramUniform1i(name_, location(uniform), value); }
 void Program::set(std::string_view uniform, float value) { glProgramUniform1f(name_, location(uniform), value); }
+void Program::set(std::string_view uniform, const glm::vec4& value) { glProgramUniform4fv(name_, location(uniform), 1, glm::value_ptr(value)); }
 void Program::set(std::string_view uniform, const glm::mat4& value) {
   glProgramUniformMatrix4fv(name_, location(uniform), 1, GL_FALSE, glm::value_ptr(value));
 }

@@ -32,6 +32,7 @@ class Program {
   void use() const { glUseProgram(name_); }
   void set(std::string_view uniform, int value);
   void set(std::string_view uniform, float value);
+  void set(std::string_view uniform, const glm::vec4& value);
   void set(std::string_view uniform, const glm::mat4& value);
   /// Binds the texture to the sampler; a sampler that the program does not use is ignored.
   void bind(std::string_view sampler, GLuint texture);

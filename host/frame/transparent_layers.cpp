@@ -102,11 +102,12 @@ std::string transparent_visibility_text(const FrameContext& context) {
                                                   : "vec3(1.0 - textureLod(lumen_layer_visibility_" + number + ", uv, 0.0).r)";
     body += "; }\n";
   }
-  return text + "vec3 lumen_visibility_of(Surface s) {\n  vec2 uv = gl_FragCoord.xy / lumen.size.xy;\n  float nearest = 1e30, off;\n  vec3 visibility = vec3(1);\n" +
+  return text + "uniform vec4 lumen_to_centers;\nvec3 lumen_visibility_of(Surface s) {\n  vec2 uv = gl_FragCoord.xy / lumen.size.xy * lumen_to_centers.xy + lumen_to_centers.zw;\n  float nearest = 1e30, off;\n  vec3 visibility = vec3(1);\n" +
          body + "  return visibility;\n}\n";
 }
 
 void bind_transparent_occlusion(const FrameContext& context, Program& program) {
+  if (transparent_occlusion_layers(context) > 0) program.set("lumen_to_centers", context.to_centers);
   for (int i = 0; i < transparent_occlusion_layers(context); ++i) {
     program.bind("lumen_layer_depth_" + std::to_string(i), context.centers.find(name_of(i, "depth"))->name());
     program.bind("lumen_layer_visibility_" + std::to_string(i), context.centers.find(name_of(i, visibility_of(context).layer))->name());

@@ -21,6 +21,20 @@ std::vector<std::string> channels_of_layer(std::string_view name) {
   return {};
 }
 
+/// Pixels of one row, as floats: channels_of(format) each.
+void download_row(const lumen::gl::Texture& texture, glm::ivec2 begin, int width, float* row) {
+  const int channels = lumen::channels_of(texture.format());
+  glPixelStorei(GL_PACK_ALIGNMENT, 1);
+  if (texture.format() == lumen::Format::RGBA32UI) {
+    std::vector<GLuint> numbers(std::size_t(width) * std::size_t(channels));
+    glGetTextureSubImage(texture.name(), 0, begin.x, begin.y, 0, width, 1, 1, GL_RGBA_INTEGER, GL_UNSIGNED_INT, GLsizei(numbers.size() * sizeof(GLuint)), numbers.data());
+    std::copy(numbers.begin(), numbers.end(), row);
+  } else {
+    constexpr GLenum formats[] = {0, GL_RED, GL_RG, 0, GL_RGBA};
+    glGetTextureSubImage(texture.name(), 0, begin.x, begin.y, 0, width, 1, 1, formats[channels], GL_FLOAT, GLsizei(std::size_t(width * channels) * sizeof(float)), row);
+  }
+}
+
 }  // namespace
 
 const lumen::gl::Texture& ViewRenderer::picture() const {
@@ -62,37 +76,38 @@ std::shared_ptr<lumen::Image> ViewRenderer::State::image_of(const std::string& n
   image->height = size.y;
   image->channels = channels_of_layer(name);
   const std::size_t count = image->channels.size();
-  std::vector<float> pixels(std::size_t(size.x) * std::size_t(size.y) * count, 0.0f);
+  std::vector<float> pixels(std::size_t(size.x) * std::size_t(size.y) * count, name == "depth" || name == "position" ? std::numeric_limits<float>::infinity() : 0.0f);
   if (texture != nullptr) {
-    const std::vector<float> stored = texture->download();
     const std::size_t stride = std::size_t(lumen::channels_of(texture->format()));
-    const int border = geometry.border, width = texture->size().x;
-    const glm::vec4 unproject = geometry.block.unproject;
     const glm::mat4 to_world = glm::inverse(camera.view);
-    for (int y = 0; y < size.y; ++y) {
-      const int row = size.y - 1 - y + border;  // images begin at the top
+    std::vector<float> row(std::size_t(size.x) * stride);
+    for (int y = 0; y < size.y; ++y) {  // row by row, since images begin at the top and have no border
+      float* const to = &pixels[std::size_t(y) * std::size_t(size.x) * count];
+      const glm::ivec2 begin(geometry.border, size.y - 1 - y + geometry.border);
+      if (stride == count && name != "position") {
+        download_row(*texture, begin, size.x, to);
+        continue;
+      }
+      download_row(*texture, begin, size.x, row.data());
       for (int x = 0; x < size.x; ++x) {
-        const float* from = &stored[(std::size_t(row) * std::size_t(width) + std::size_t(x + border)) * stride];
-        float* to = &pixels[(std::size_t(y) * std::size_t(size.x) + std::size_t(x)) * count];
-        if (name == "position") {
-          const glm::vec2 uv = (glm::vec2(x + border, row) + 0.5f) / glm::vec2(texture->size());
-          const glm::vec2 plane = uv * glm::vec2(unproject) + glm::vec2(unproject.z, unproject.w);
-          const glm::vec2 place = camera.orthographic ? plane : plane * from[0];
-          const glm::vec3 position = std::isinf(from[0]) ? glm::vec3(from[0])  // the background is nowhere, in every direction
-                                                          : glm::vec3(to_world * glm::vec4(place, -from[0], 1));
-          to[0] = position.x, to[1] = position.y, to[2] = position.z;
-        } else if (name == "opacity") {
-          to[0] = from[3];
-        } else {
-          std::copy_n(from, std::min(stride, count), to);
-        }
+        const float* const from = &row[std::size_t(x) * stride];
+        if (name == "position") world_position(glm::ivec2(begin.x + x, begin.y), from[0], to_world, to + 3 * x);
+        else if (name == "opacity") to[x] = from[3];
+        else std::copy_n(from, std::min(stride, count), to + std::size_t(x) * count);
       }
     }
-  } else if (name == "depth" || name == "position") {
-    std::fill(pixels.begin(), pixels.end(), std::numeric_limits<float>::infinity());
   }
   image->pixels = std::move(pixels);
   return image;
+}
+
+void ViewRenderer::State::world_position(glm::ivec2 pixel, float depth, const glm::mat4& to_world, float* position) const {
+  const glm::vec2 uv = (glm::vec2(pixel) + 0.5f) / glm::vec2(geometry.size());
+  const glm::vec2 plane = uv * glm::vec2(geometry.block.unproject) + glm::vec2(geometry.block.unproject.z, geometry.block.unproject.w);
+  const glm::vec2 place = camera.orthographic ? plane : plane * depth;
+  const glm::vec3 world = std::isinf(depth) ? glm::vec3(depth)  // the background is nowhere, in every direction
+                                            : glm::vec3(to_world * glm::vec4(place, -depth, 1));
+  position[0] = world.x, position[1] = world.y, position[2] = world.z;
 }
 
 ViewRenderer::Hit ViewRenderer::pick(glm::ivec2 pixel) {
@@ -123,7 +138,7 @@ ViewRenderer::Hit ViewRenderer::pick(glm::ivec2 pixel) {
                        "  lumen_id = uvec4(s.instance, s.part + 1, s.primitive + 1, 0);\n  lumen_depth = -s.position.z;\n}\n");
       },
       .identifies = true};
-  const FrameContext frame = state.context(0, state.geometry, state.centers);
+  const FrameContext frame = state.context(0, state.whole(), state.geometry, state.centers);
   for (const auto* surfaces : {&state.scene.opaque, &state.scene.transparent})
     for (const SceneSurface& surface : *surfaces) draw_surface(frame, surface, output);
   glDisable(GL_SCISSOR_TEST);

@@ -28,14 +28,15 @@ struct ViewRenderer::State {
   ValueTable values;
   Shading shading;
   PassLog log;
-  LayerStore centers, others;       ///< layers of the sample at the centers, which are kept; of the other samples
+  LayerStore centers, fine;         ///< layers at the pixels' centers, which are kept; of antialiasing's samples
   lumen::gl::Buffer frame_block, light_block;
   std::map<std::string, PluginPassMemory> memories;
   std::vector<lumen::Problem> problems;
 
   LightBlock lights;
-  int samples = 0;                  ///< in the picture so far
-  std::uint64_t center_revision = 0;
+  int samples = 0;                  ///< of a pixel in the picture so far: 1 = the center alone, else those of whole rounds
+  std::uint64_t content_key = 0;    ///< what the samples show
+  PixelBox scene_pixels;            ///< where they lie
   std::string picture = "lit";      ///< the layer of `centers` that is the picture
   lumen::gl::Texture cropped;       ///< the picture without its border
   std::uint64_t cropped_revision = 0;
@@ -46,17 +47,35 @@ struct ViewRenderer::State {
   std::uint64_t drawn_session = 0, drawn_shaders = 0;  ///< revisions of the last draw
   bool stale = true;                ///< size or requests changed
 
-  int samples_wanted() const { return scene.view == nullptr ? 1 : scene.view->antialiasing.get(); }
+  static constexpr int samples_of_round = 4;  ///< antialiasing draws at twice the resolution
+  int samples_wanted() const {
+    const int samples = scene.view == nullptr ? 1 : scene.view->antialiasing.get();
+    return samples <= 1 ? 1 : (samples + samples_of_round - 1) / samples_of_round * samples_of_round;
+  }
   bool progressive_unfinished() const;
+  bool unfinished() const { return stale || samples < samples_wanted() || progressive_unfinished(); }
   void find();
   void tell_interactors();
-  FrameContext context(int set, const ViewGeometry& geometry, LayerStore& layers);
-  /// Runs what is due up to the lit scene; the layer's name that holds it.
-  std::string draw_scene(int set, glm::vec2 jitter, LayerStore& layers);
-  void draw_sample();
+  PictureWindow whole() const;
+  ViewGeometry geometry_of(const PictureWindow& window) const;
+  FrameContext context(int set, const PictureWindow& window, const ViewGeometry& geometry, LayerStore& layers);
+  bool summands() const;            ///< the radiance is wanted term by term
+  bool needs_centers() const;       ///< somebody reads more than the mean of a pixel's samples
+  bool draw(bool final);            ///< `final`: nobody looks before it is finished
+  void draw_surfaces(const FrameContext& frame);       ///< if due, as all of these
+  void draw_occlusion(const FrameContext& frame);
+  std::string light_scene(const FrameContext& frame);  ///< with transparency; the name of the layer that holds the lit scene
+  void draw_picture(bool final);
+  /// Antialiasing without the picture of the centers: each surface is drawn once. The occlusion follows, since it serves all
+  /// samples of a pixel: their mean is apart of what it attenuates.
+  void draw_mean_alone();
+  std::uint64_t opaque_key();
+  void begin_samples(bool apart);   ///< what the samples go to, empty
+  void add_samples(bool apart);     ///< a round of antialiasing; `apart`: see LightingOutput
   void draw_compositors(const std::string& scene_layer);
   int border() const;
   std::shared_ptr<lumen::Image> image_of(const std::string& name);
+  void world_position(glm::ivec2 pixel, float depth, const glm::mat4& to_world, float* position) const;
 };
 
 }  // namespace lumenshop

@@ -61,6 +61,8 @@ class Frame {
   virtual float scene_radius() const = 0;    ///< world, of the bounding sphere
   virtual glm::vec2 extent() const = 0;      ///< near and far of the bounding sphere along the view axis, world, eye distance
   virtual double time() const = 0;           ///< seconds
+  /// View-space position of what a pixel of the layers (origin bottom left) shows at an eye distance along the axis.
+  virtual glm::vec3 view_position(glm::ivec2 pixel, float depth) const = 0;
   virtual std::vector<Light> lights() const = 0;  ///< front first; shaders have them through lib/lights.glsl
   /// What rays can hit, on the screen or not.
   virtual std::vector<TracedSurface> traced_surfaces() const = 0;

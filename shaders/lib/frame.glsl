@@ -4,7 +4,7 @@ layout(std140, binding = 0) uniform LumenFrame {
   mat4 view;               // world to view space
   mat4 projection;         // view space to clip space
   vec4 unproject;          // view-space xy at depth 1 (perspective) or anywhere (orthographic) = uv * unproject.xy + unproject.zw
-  vec4 size;               // pixels of the layers (border included), border, samples taken so far
+  vec4 size;               // pixels of the layers (border included), border, layers' pixels across one of the picture (antialiasing: 2)
   vec4 extent;             // near and far of the scene's sphere along the axis, its radius, 1 = orthographic
   vec4 transparent_extent; // near and far of the transparent surfaces along the axis, pixels per world unit at depth 1 (orthographic: anywhere), time in seconds
 } lumen;
@@ -35,5 +35,8 @@ vec3 to_eye(vec3 position) { return orthographic() ? vec3(0, 0, 1) : normalize(-
 // Scene depth: 0 at the near end of the scene's sphere, 1 at its far end.
 float scene_depth(float depth) { return (depth - lumen.extent.x) / (lumen.extent.y - lumen.extent.x); }
 
-// World units to pixels at an eye-space depth.
+// A length in pixels of the picture as one in pixels of the layers: for widths that shall not depend on antialiasing.
+float layer_pixels(float length) { return length * lumen.size.w; }
+
+// World units to pixels of the layers at an eye-space depth.
 float pixels_of(float world, float depth) { return world * lumen.transparent_extent.z / (orthographic() ? 1.0 : depth); }

@@ -34,15 +34,6 @@ glm::vec2 hash(glm::uvec2 v) {
   return glm::vec2(v >> 8u) / 16777216.0f;
 }
 
-/// View-space position of a pixel's center at an eye-space depth.
-glm::vec3 view_position(const lumen::Frame& frame, int x, int y, float depth) {
-  const lumen::Camera& camera = frame.camera();
-  const float half_height = camera.orthographic ? 0.5f * camera.height : std::tan(glm::radians(0.5f * camera.field_of_view));
-  const float pixel = 2 * half_height / float(frame.size().y - 2 * frame.border());
-  const glm::vec2 plane = (glm::vec2(x, y) + 0.5f - 0.5f * glm::vec2(frame.size())) * pixel;
-  return {camera.orthographic ? plane : plane * depth, -depth};
-}
-
 struct Traced : lumen::Occlusion {
   using Occlusion::Occlusion;
 
@@ -94,7 +85,7 @@ struct Traced : lumen::Occlusion {
           const float* n = &normals[pixel * std::size_t(stride)];
           const glm::vec3 up = glm::mat3(to_world) * glm::vec3(n[0], n[1], n[2]);
           if (!(glm::dot(up, up) > 0.5f)) continue;
-          const glm::vec3 position = view_position(frame, x, y, depths[pixel]);
+          const glm::vec3 position = frame.view_position({x, y}, depths[pixel]);
           const glm::vec3 to_eye = frame.camera().orthographic ? glm::vec3(0, 0, 1) : glm::normalize(-position);
           // Off the surface by more than the depth's rounding, by less than anything that is seen; toward the eye, too, where
           // nothing is in the way: at silhouettes the averaged normal may point into the surface.

@@ -1,6 +1,7 @@
 #include "clusters.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numeric>
 
@@ -60,6 +61,49 @@ bool is_outward(const lumen::Mesh& mesh, const std::vector<std::uint32_t>& point
   return std::all_of(volume.begin(), volume.end(), [](double v) { return v >= 0; });
 }
 
+/// Closed and outward. Points are merged only where the mesh is open without it: that takes longer than all the rest.
+bool is_solid(const lumen::Mesh& mesh) {
+  std::vector<std::uint32_t> points(mesh.positions.size());
+  std::iota(points.begin(), points.end(), 0u);
+  if (!is_closed(mesh, points)) {
+    points = merged_points(mesh);
+    if (!is_closed(mesh, points)) return false;
+  }
+  return is_outward(mesh, points);
+}
+
+/// Bits of 0..31, each followed by two zeros.
+std::uint32_t spread(std::uint32_t x) {
+  std::uint32_t spread = 0;
+  for (int bit = 0; bit < 5; ++bit) spread |= (x >> bit & 1) << 3 * bit;
+  return spread;
+}
+
+/// Where each triangle goes, so that neighbors stand together and clusters are runs: the cells of a grid along a space-filling
+/// curve (Morton), triangles of a cell in their own order. Triangles that face the six main directions lie on curves of their
+/// own, one after the other, so that a cluster faces one way even where two walls touch.
+std::vector<std::uint32_t> places(const lumen::Mesh& mesh) {
+  constexpr int cells = 32;
+  std::array<std::uint32_t, cells> curve;
+  for (int i = 0; i < cells; ++i) curve[std::size_t(i)] = spread(std::uint32_t(i));
+  const lumen::Bounds bounds = mesh.bounds();
+  const glm::vec3 to_cell = float(cells) / (3.0f * glm::max(bounds.max - bounds.min, glm::vec3(1e-30f)));
+  std::vector<std::uint32_t> place(mesh.triangles.size()), next(6 * cells * cells * cells + 1, 0);
+  for (std::size_t i = 0; i < place.size(); ++i) {
+    const glm::uvec3& t = mesh.triangles[i];
+    const glm::vec3 &p = mesh.positions[t.x], &q = mesh.positions[t.y], &r = mesh.positions[t.z];
+    const glm::vec3 normal = glm::cross(q - p, r - p), size = glm::abs(normal);
+    const int axis = size.x > size.y && size.x > size.z ? 0 : size.y > size.z ? 1 : 2;
+    const glm::ivec3 cell = glm::clamp(glm::ivec3((p + q + r - 3.0f * bounds.min) * to_cell), 0, cells - 1);
+    const auto direction = std::uint32_t(2 * axis + (normal[axis] < 0));
+    place[i] = direction * cells * cells * cells + (curve[std::size_t(cell.x)] | curve[std::size_t(cell.y)] << 1 | curve[std::size_t(cell.z)] << 2);
+    ++next[place[i] + 1];
+  }
+  std::partial_sum(next.begin(), next.end(), next.begin());
+  for (std::uint32_t& key : place) key = next[key]++;
+  return place;
+}
+
 }  // namespace
 
 ClusteredMesh make_clusters(const lumen::Mesh& mesh) {
@@ -67,25 +111,9 @@ ClusteredMesh make_clusters(const lumen::Mesh& mesh) {
   const std::size_t count = mesh.triangles.size();
   result.count = std::uint32_t(count);
   if (count == 0) return result;
-  const auto* positions = &mesh.positions[0].x;
+  result.solid = is_solid(mesh);
 
-  std::vector<std::uint32_t> points = merged_points(mesh);
-  result.solid = is_closed(mesh, points) && is_outward(mesh, points);
-
-  // Along a space-filling curve neighbors stand together: clusters are runs of the curve. Triangles that face the six main
-  // directions lie on curves of their own, beside each other, so that a cluster faces one way even where two walls touch.
-  std::vector<glm::vec3> centroids(count);
-  const lumen::Bounds bounds = mesh.bounds();
-  const glm::vec3 aside = 1.01f * (bounds.max - bounds.min);
-  for (std::size_t i = 0; i < count; ++i) {
-    const glm::uvec3& t = mesh.triangles[i];
-    const glm::vec3 &p = mesh.positions[t.x], &q = mesh.positions[t.y], &r = mesh.positions[t.z];
-    const glm::vec3 normal = glm::cross(q - p, r - p), size = glm::abs(normal);
-    const int axis = size.x > size.y && size.x > size.z ? 0 : size.y > size.z ? 1 : 2;
-    centroids[i] = (p + q + r) / 3.0f + aside * glm::vec3(axis, normal[axis] < 0, 0);
-  }
-  std::vector<std::uint32_t> place(count);
-  meshopt_spatialSortRemap(place.data(), &centroids[0].x, count, sizeof(glm::vec3));
+  const std::vector<std::uint32_t> place = places(mesh);
   result.triangles.resize(count);
   result.cells.resize(count);
   for (std::size_t i = 0; i < count; ++i) {
@@ -94,7 +122,7 @@ ClusteredMesh make_clusters(const lumen::Mesh& mesh) {
   }
   for (std::uint32_t first = 0; first < count; first += cluster_size) {
     const std::uint32_t size = std::min(cluster_size, std::uint32_t(count) - first);
-    const meshopt_Bounds bounds = meshopt_computeClusterBounds(&result.triangles[first].x, size * 3, positions, mesh.positions.size(), sizeof(glm::vec3));
+    const meshopt_Bounds bounds = meshopt_computeClusterBounds(&result.triangles[first].x, size * 3, &mesh.positions[0].x, mesh.positions.size(), sizeof(glm::vec3));
     result.clusters.push_back({first, size, glm::vec3(bounds.center[0], bounds.center[1], bounds.center[2]), bounds.radius,
                                glm::vec3(bounds.cone_axis[0], bounds.cone_axis[1], bounds.cone_axis[2]), bounds.cone_cutoff});
   }

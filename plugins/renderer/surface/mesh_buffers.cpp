@@ -1,8 +1,12 @@
 #include "mesh_buffers.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace {
+
+/// Software GL holds a few hundred bytes for each triangle that is drawn and not yet rasterized, of as many as it is given.
+constexpr std::size_t triangles_at_once = 1 << 14;
 
 template <class T>
 lumen::gl::Buffer buffer_of(std::span<const T> values) {
@@ -61,7 +65,8 @@ void MeshBuffers::upload(std::span<const glm::vec3> positions, std::span<const g
   }
   triangles_ = buffer_of(std::span<const glm::uvec3>(clusters_.triangles));
   cells_ = buffer_of(std::span<const std::uint32_t>(clusters_.cells));
-  clusters_.cells = {};  // the GL has them now
+  clusters_.triangles = {};  // the GL has them now
+  clusters_.cells = {};
 }
 
 void MeshBuffers::bind(const lumen::gl::Buffer& indices) const {
@@ -77,22 +82,44 @@ void MeshBuffers::draw_all() const {
   glDrawElements(GL_TRIANGLES, GLsizei(clusters_.count * 3), GL_UNSIGNED_INT, nullptr);
 }
 
+void MeshBuffers::draw_elements(std::size_t first, std::size_t count) const {
+  GLsync before = nullptr;
+  for (const std::size_t end = first + count; first < end; first += triangles_at_once) {
+    const std::size_t some = std::min(triangles_at_once, end - first);
+    glDrawElements(GL_TRIANGLES, GLsizei(some * 3), GL_UNSIGNED_INT, reinterpret_cast<const void*>(std::uintptr_t(first) * sizeof(glm::uvec3)));
+    if (count <= triangles_at_once) return;
+    const GLsync now = glFenceSync(GL_SYNC_GPU_COMMANDS_COMPLETE, 0);
+    glFlush();
+    if (before != nullptr) {
+      glClientWaitSync(before, 0, GL_TIMEOUT_IGNORED);
+      glDeleteSync(before);
+    }
+    before = now;
+  }
+  glDeleteSync(before);
+}
+
 void MeshBuffers::draw(const Visibility& visibility) {
   visible_runs(clusters_, visibility, runs_);
   if (runs_.empty()) return;
   if (visibility.skip_backs) glEnable(GL_CULL_FACE);
   if (runs_.size() == 1) {
     bind(triangles_);
-    glDrawElements(GL_TRIANGLES, GLsizei(runs_[0].count * 3), GL_UNSIGNED_INT, reinterpret_cast<const void*>(std::uintptr_t(runs_[0].first) * sizeof(glm::uvec3)));
+    draw_elements(runs_[0].first, runs_[0].count);
   } else {
-    if (!visible_) visible_ = lumen::gl::Buffer(std::size_t(clusters_.count) * sizeof(glm::uvec3));
     std::size_t gathered = 0;
+    for (const Run& run : runs_) gathered += run.count;
+    const std::size_t size = gathered * sizeof(glm::uvec3);
+    // Some room, so that it does not grow again with every frame of a moving camera.
+    if (!visible_ || visible_.size() < size) visible_ = lumen::gl::Buffer(std::min(size + size / 4, triangles_.size()));
+    GLintptr end = 0;
     for (const Run& run : runs_) {
-      glNamedBufferSubData(visible_.name(), GLintptr(gathered * sizeof(glm::uvec3)), GLsizeiptr(run.count * sizeof(glm::uvec3)), &clusters_.triangles[run.first]);
-      gathered += run.count;
+      const GLsizeiptr bytes = GLsizeiptr(run.count * sizeof(glm::uvec3));
+      glCopyNamedBufferSubData(triangles_.name(), visible_.name(), GLintptr(run.first * sizeof(glm::uvec3)), end, bytes);
+      end += bytes;
     }
     bind(visible_);
-    glDrawElements(GL_TRIANGLES, GLsizei(gathered * 3), GL_UNSIGNED_INT, nullptr);
+    draw_elements(0, gathered);
   }
   glDisable(GL_CULL_FACE);
 }

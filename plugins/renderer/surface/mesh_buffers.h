@@ -15,7 +15,7 @@ class MeshBuffers {
   MeshBuffers(const lumen::Mesh& mesh, const lumen::Attribute* attribute);
   /// All triangles, in one call.
   void draw_all() const;
-  /// What the visibility lets through, in one call: a call per run costs software GL more than the triangles.
+  /// What the visibility lets through, in few calls: a call per run costs software GL more than the triangles.
   void draw(const Visibility& visibility);
   const ClusteredMesh& clusters() const { return clusters_; }
 
@@ -23,6 +23,8 @@ class MeshBuffers {
 
  private:
   void bind(const lumen::gl::Buffer& indices) const;
+  /// Triangles of the bound indices; waits for the last but one part of many.
+  void draw_elements(std::size_t first, std::size_t count) const;
   void upload(std::span<const glm::vec3> positions, std::span<const glm::vec3> normals, std::span<const float> values);
   ClusteredMesh clusters_;
   lumen::gl::Buffer positions_, normals_, values_, triangles_, cells_;
