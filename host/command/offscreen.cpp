@@ -39,6 +39,13 @@ void Offscreen::finish() {
   view_->finish();
 }
 
+void Offscreen::release() {
+  workshop_->close_views();
+  view_ = nullptr;
+  workshop_->session().load(Json{{"lumenshop", 1}, {"plugins", Json::object()}, {"views", Json::object()}}, "/");
+  context_.reset();
+}
+
 Findings Offscreen::all_findings() const {
   Findings all = findings_;
   all.add(workshop_->problems());

@@ -36,6 +36,8 @@ class Offscreen {
   void reopen();
   /// Brings links and data up to date, and draws all refinements.
   void finish();
+  /// Drops session, views and GL context, whose memory then serves what follows; jobs and exporters go on. Nothing is drawn again.
+  void release();
   Findings& findings() { return findings_; }
   /// Findings with all that the session, its data and its shaders have to say by now.
   Findings all_findings() const;

@@ -72,7 +72,7 @@ int run_render(const RenderOptions& options, const std::vector<std::filesystem::
     auto image = picture_of(offscreen, options, layers);
     const DisplayOptions display = display_of(offscreen, view_id);
     findings = offscreen.all_findings();
-    offscreen.workshop().close_views();  // their memory serves the encoding
+    offscreen.release();
     image = encoded(std::move(image), options, display);
     workshop.scheduler().write_file(exporter, std::move(image), std::filesystem::absolute(options.output));
   } else {

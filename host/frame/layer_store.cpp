@@ -24,6 +24,15 @@ std::uint64_t LayerStore::revision(std::string_view name) const {
   return found == layers_.end() ? 0 : found->second.revision;
 }
 
+std::size_t LayerStore::bytes(std::string_view prefix) const {
+  std::size_t sum = 0;
+  for (auto layer = layers_.lower_bound(prefix); layer != layers_.end() && layer->first.starts_with(prefix); ++layer) {
+    const lumen::gl::Texture& texture = layer->second.texture;
+    sum += std::size_t(texture.size().x) * std::size_t(texture.size().y) * lumen::bytes_of(texture.format());
+  }
+  return sum;
+}
+
 void LayerStore::drawn(std::string_view name) {
   if (const auto found = layers_.find(name); found != layers_.end()) found->second.revision = ++clock_;
 }

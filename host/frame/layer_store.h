@@ -17,6 +17,7 @@ class LayerStore {
   /// Null if nobody allocated it.
   const lumen::gl::Texture* find(std::string_view name) const;
   std::uint64_t revision(std::string_view name) const;  ///< 0 = not there
+  std::size_t bytes(std::string_view prefix) const;     ///< of all layers whose name begins so
   void drawn(std::string_view name);                    ///< its contents are new
   void drop(std::string_view name);
   void keep(std::initializer_list<std::string_view> names);  ///< drops all others

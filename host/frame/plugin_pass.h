@@ -16,6 +16,7 @@ struct PluginPassMemory {
   std::set<std::string> files;   ///< shaders that its runs used
   bool uses_time = false, uses_lights = false, uses_geometry = false;
   bool unfinished = false;
+  float progress = 0;            ///< while unfinished, 0..1
   int iteration = 0;
   std::uint64_t base_key = 0;    ///< of everything but the iteration
 };
@@ -49,7 +50,10 @@ class PluginPass final : public lumen::TransparencyFrame {
   void draw_depth(const lumen::Camera& camera, const lumen::gl::Texture& depth) override;
   void parallel(int count, const std::function<void(int, int)>& body) const override;
   int iteration() const override { return memory_.iteration; }
-  void unfinished() override { memory_.unfinished = true; }
+  void unfinished(float progress) override {
+    memory_.unfinished = true;
+    memory_.progress = progress;
+  }
   // lumen::TransparencyFrame
   void surfaces(std::string_view shader, const lumen::SurfacesPass& pass) override;
 

@@ -1,6 +1,8 @@
 #include "frame/transparent_layers.h"
 
 #include <algorithm>
+#include <cstdlib>
+#include <string_view>
 
 #include <lumen/gl/framebuffer.h>
 #include <lumen/occlusion.h>
@@ -12,8 +14,11 @@
 namespace lumenshop {
 namespace {
 
+constexpr int most_layers = 4;  // as View::occluded_layers allows
+constexpr std::string_view layer_prefix = "transparent ";
+
 /// The store's name of a layer of transparent layer `index`.
-std::string name_of(int index, const std::string& layer) { return "transparent " + std::to_string(index) + "/" + layer; }
+std::string name_of(int index, const std::string& layer) { return std::string(layer_prefix) + std::to_string(index) + "/" + layer; }
 
 /// The opaque scene with the transparent surfaces of one layer in front of it. The depth buffer holds the latter alone, so
 /// that full-screen passes visit their pixels only.
@@ -78,8 +83,12 @@ void run_transparent_occlusion(const FrameContext& context, std::map<std::string
       PluginPass pass(context, occlusion, memories[name_of(i, occlusion.id())], reads, writes, name_of(i, occlusion.id()));
       pass.run([&](PluginPass& in) { occlusion.as<lumen::Occlusion>(lumen::Kind::occlusion)->render(in); });
     }
-    for (int i = count; i < 4; ++i)
+    for (int i = count; i < most_layers; ++i)
       for (const char* layer : {"depth_buffer", "normal", "depth", "occlusion", "illumination"}) context.layers.drop(name_of(i, layer));
+    std::erase_if(memories, [&](const auto& memory) {
+      const auto& [name, contents] = memory;
+      return name.starts_with(layer_prefix) && std::atoi(name.c_str() + layer_prefix.size()) >= count;
+    });
   }
 }
 

@@ -90,11 +90,11 @@ void ViewRenderer::State::draw_occlusion(const FrameContext& frame) {
 std::string ViewRenderer::State::light_scene(const FrameContext& frame) {
   LayerStore& layers = frame.layers;
   run_lighting_pass(frame, summands() ? LightingOutput::summands : LightingOutput::lit);
+  run_transparent_occlusion(frame, memories);
   if (scene.transparency == nullptr || scene.transparent.empty()) {
     layers.drop("transparent");
     return "lit";
   }
-  run_transparent_occlusion(frame, memories);
   PluginPass pass(frame, *scene.transparency, memories[scene.transparency->id()], {{"color", "lit"}}, {});
   pass.run([&](PluginPass& in) { scene.transparency->as<lumen::Transparency>(Kind::transparency)->render(in); });
   if (layers.find("transparent") == nullptr) return "lit";
@@ -112,7 +112,17 @@ bool ViewRenderer::State::needs_centers() const {
          std::any_of(requested.begin(), requested.end(), [](const std::string& layer) { return layer != "color"; });
 }
 
+void ViewRenderer::State::forget_unused() {
+  std::set<std::string> used;
+  for (const auto* list : {&scene.compositors, &scene.overlays})
+    for (const Instance* instance : *list) used.insert(instance->id());
+  for (const Instance* instance : {scene.occlusion, scene.transparency})
+    if (instance != nullptr) used.insert(instance->id());
+  std::erase_if(memories, [&](const auto& memory) { return !used.contains(memory.first.substr(memory.first.rfind('/') + 1)); });
+}
+
 void ViewRenderer::State::draw_picture(bool final) {
+  forget_unused();
   geometry = geometry_of(whole());
   if (final && !needs_centers()) return draw_mean_alone();
   const FrameContext frame = context(0, whole(), geometry, centers);

@@ -32,7 +32,7 @@ void ViewRenderer::request(const std::vector<std::string>& layers) {
 
 void ViewRenderer::State::find() {
   session.update();
-  scene = find_scene(session, view);
+  scene = find_scene(session, view, substitute);
   if (scene.interactors.empty() && scene.camera == nullptr) return;
   tell_interactors();
 }
@@ -84,7 +84,27 @@ void ViewRenderer::finish() {
 }
 
 float ViewRenderer::progress() const {
+  // Refinements of passes come before the samples of antialiasing.
+  constexpr float passes_share = 0.8f;
+  float slowest = 1;
+  for (const auto& [name, memory] : state_->memories)
+    if (memory.unfinished) slowest = std::min(slowest, memory.progress);
+  if (slowest < 1) return passes_share * slowest;
   return std::min(1.0f, float(state_->samples) / float(std::max(1, state_->samples_wanted())));
+}
+
+void ViewRenderer::substitute(const std::string& instance) {
+  state_->substitute = instance;
+  state_->stale = true;
+}
+
+std::size_t ViewRenderer::bytes_of(const Instance& instance) const {
+  const LayerStore& layers = state_->centers;
+  std::size_t sum = layers.bytes(instance.id() + "/");
+  for (int layer = 0; layer < 4; ++layer) sum += layers.bytes("transparent " + std::to_string(layer) + "/" + instance.id() + "/");
+  if (instance.plugin() == nullptr) return sum;
+  for (const lumen::Writes* writes : instance.plugin()->writes()) sum += layers.bytes(writes->layer());
+  return sum + instance.plugin()->bytes();
 }
 
 const lumen::Camera& ViewRenderer::camera() const { return state_->camera; }

@@ -66,7 +66,7 @@ std::vector<Instance*> ViewScene::renderers() const {
   return all;
 }
 
-ViewScene find_scene(const Session& session, const std::string& id) {
+ViewScene find_scene(const Session& session, const std::string& id, const std::string& substitute) {
   Instance* instance = session.find(id);
   auto* view = instance == nullptr ? nullptr : instance->as<View>(Kind::view);
   if (view == nullptr) throw lumen::Error("view '" + id + "'", "the session has no such view");
@@ -83,6 +83,8 @@ ViewScene find_scene(const Session& session, const std::string& id) {
   }
   scene.occlusion = finder.find(view->occlusion.get().id, Kind::occlusion);
   scene.transparency = finder.find(view->transparency.get().id, Kind::transparency);
+  if (Instance* other = finder.find(substitute, Kind::occlusion)) scene.occlusion = other;
+  if (Instance* other = finder.find(substitute, Kind::transparency)) scene.transparency = other;
   scene.compositors = finder.find_all(view->compositors, Kind::compositor);
   scene.interactors = finder.find_all(view->interactors, Kind::interactor);
   for (Instance* interactor : scene.interactors)

@@ -38,7 +38,8 @@ struct ViewScene {
   std::vector<Instance*> renderers() const;
 };
 
-/// Throws lumen::Error if the session has no such view.
-ViewScene find_scene(const Session& session, const std::string& view);
+/// `substitute`: an occlusion or transparency in place of the view's own, or empty. Throws lumen::Error if the session has
+/// no such view.
+ViewScene find_scene(const Session& session, const std::string& view, const std::string& substitute = {});
 
 }  // namespace lumenshop

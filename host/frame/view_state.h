@@ -21,6 +21,7 @@ struct ViewRenderer::State {
   std::string view;
   glm::ivec2 size{640, 480};
   std::set<std::string> requested;
+  std::string substitute;           ///< see ViewRenderer::substitute
 
   ViewScene scene;
   lumen::Camera camera;
@@ -53,6 +54,7 @@ struct ViewRenderer::State {
     return samples <= 1 ? 1 : (samples + samples_of_round - 1) / samples_of_round * samples_of_round;
   }
   bool progressive_unfinished() const;
+  void forget_unused();             ///< what is no longer in the view must not count as unfinished
   bool unfinished() const { return stale || samples < samples_wanted() || progressive_unfinished(); }
   void find();
   void tell_interactors();

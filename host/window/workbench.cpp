@@ -9,6 +9,7 @@
 
 #include "model/json_value.h"
 #include "window/open_editor.h"
+#include "window/view_trial.h"
 
 namespace lumenshop {
 namespace {
@@ -140,6 +141,10 @@ lumen::Value SessionWorkbench::from_json(const std::string& path, const std::str
   Json json = Json::parse(text, nullptr, false);
   if (json.is_discarded()) json = text;  // a plain text is what a person pastes into a string
   return lumenshop::from_json(json, instance->spec(slot));
+}
+
+std::unique_ptr<lumen::Trial> SessionWorkbench::trial(const std::string& view, const std::string& instance, const std::vector<std::string>& layers) {
+  return std::make_unique<ViewTrial>(workshop_, view, instance, layers);
 }
 
 std::string SessionWorkbench::selection() const { return session().find(selection_) ? selection_ : std::string(); }

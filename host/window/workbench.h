@@ -39,6 +39,7 @@ class SessionWorkbench final : public lumen::Workbench {
   std::vector<std::string> linkable(const std::string& path) const override;
   std::string to_json(const lumen::Value& value) const override;
   lumen::Value from_json(const std::string& path, const std::string& json) const override;
+  std::unique_ptr<lumen::Trial> trial(const std::string& view, const std::string& instance, const std::vector<std::string>& layers) override;
   std::string selection() const override;
   void select(const std::string& instance) override;
   std::vector<lumen::Problem> problems() const override;

@@ -53,7 +53,7 @@ class ScreenSpace : public lumen::Occlusion {
     if (blur) pass("rows", scratch("rows"));
     if (blur && half_resolution) pass("columns", scratch("columns"));
     pass(half_resolution ? "upsampled" : blur ? "smooth_columns" : "rest", nullptr);
-    if (frame.iteration() + 1 < refinements) frame.unfinished();
+    if (frame.iteration() + 1 < refinements) frame.unfinished(float(frame.iteration() + 1) / float(refinements));
   }
 
  private:

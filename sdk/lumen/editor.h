@@ -1,8 +1,10 @@
 /// Editors: a Dear ImGui panel over properties. The SDK's library holds the one ImGui context that all share.
 #pragma once
 
+#include <memory>
 #include <optional>
 
+#include <lumen/image.h>
 #include <lumen/plugin.h>
 
 namespace lumen {
@@ -41,6 +43,18 @@ struct Problem {
   bool operator==(const Problem&) const = default;
 };
 
+/// A view drawn with another occlusion or transparency than its own, aside from the window, to compare techniques: step by
+/// step, so that the window lives on. Thread: main, in Editor::draw.
+class Trial {
+ public:
+  virtual ~Trial() = default;
+  virtual bool step() = 0;                                             ///< one refinement; false once it is finished
+  virtual float progress() const = 0;                                  ///< 0..1
+  virtual std::shared_ptr<const Image> layer(const std::string& name) = 0;  ///< float channels, rows top-down; throws Error
+  virtual double milliseconds() const = 0;                             ///< of the technique's own passes, all refinements together
+  virtual std::size_t bytes() const = 0;                               ///< that the technique holds for the view
+};
+
 /// The open session, for panels. All changes can be undone. Thread: main.
 class Workbench {
  public:
@@ -60,6 +74,9 @@ class Workbench {
   virtual std::vector<std::string> linkable(const std::string& path) const = 0;  ///< sources that convert and do not cycle
   virtual std::string to_json(const Value& value) const = 0;
   virtual Value from_json(const std::string& path, const std::string& json) const = 0;  ///< throws Error
+
+  /// Draws the view with `instance` (an occlusion or a transparency) in its place. Throws Error.
+  virtual std::unique_ptr<Trial> trial(const std::string& view, const std::string& instance, const std::vector<std::string>& layers) = 0;
 
   virtual std::string selection() const = 0;                           ///< an instance's id or empty
   virtual void select(const std::string& instance) = 0;

@@ -84,7 +84,7 @@ class Frame {
 
   /// Which refinement this is, 0..; and that another one is wanted while idle.
   virtual int iteration() const = 0;
-  virtual void unfinished() = 0;
+  virtual void unfinished(float progress = 0) = 0;  ///< how far this one is, 0..1
 };
 
 /// One drawing of the transparent surfaces; use designated initializers.

@@ -16,6 +16,7 @@
 ///   opacity   1 - prod(1 - a) of the transparent surfaces                            1
 #pragma once
 
+#include <cstddef>
 #include <string>
 
 namespace lumen {
@@ -25,6 +26,7 @@ class Plugin;
 enum class Format { R8, RG8, RGBA8, R16F, RG16F, RGBA16F, R32F, RG32F, RGBA32F, R32UI, RG32UI, RGBA32UI, depth32F };
 
 int channels_of(Format format);
+std::size_t bytes_of(Format format);  ///< per pixel
 
 /// The layer is there, complete, when the owner draws; shaders read it with NAME_at(uv).
 class Reads {

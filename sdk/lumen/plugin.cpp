@@ -36,6 +36,17 @@ Observer::~Observer() { owner_->binding().observe(property_, -1); }
 Reads::Reads(Plugin* owner, std::string layer, int border) : layer_(std::move(layer)), border_(border) { owner->reads_.push_back(this); }
 Writes::Writes(Plugin* owner, std::string layer, Format format) : layer_(std::move(layer)), format_(format) { owner->writes_.push_back(this); }
 
+std::size_t bytes_of(Format format) {
+  switch (format) {
+    case Format::R8: return 1;
+    case Format::RG8: case Format::R16F: return 2;
+    case Format::RGBA8: case Format::RG16F: case Format::R32F: case Format::R32UI: case Format::depth32F: return 4;
+    case Format::RGBA16F: case Format::RG32F: case Format::RG32UI: return 8;
+    case Format::RGBA32F: case Format::RGBA32UI: return 16;
+  }
+  return 0;
+}
+
 int channels_of(Format format) {
   switch (format) {
     case Format::R8: case Format::R16F: case Format::R32F: case Format::R32UI: case Format::depth32F: return 1;

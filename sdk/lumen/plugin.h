@@ -68,6 +68,9 @@ class Plugin {
   /// `enabled` went off: free what the GL holds; it is built again when next drawn.
   virtual void released() {}
 
+  /// What it holds beside its layers and scratch textures: buffers, hierarchies. For comparisons.
+  virtual std::size_t bytes() const { return 0; }
+
   Property<bool> enabled{this, "enabled", true, {.doc = "takes part in the picture; off frees its GPU memory and keeps its values"}};
 
   Binding& binding() const { return binding_; }

@@ -1,13 +1,15 @@
 #!/usr/bin/env python3
 """Lumenshop beside its peers on one mesh, in turns, so that a busy machine is busy for both.
 
-Prints the ratio to VTK of a frame, and the ratios to `f3d --output` of a whole process's time and peak memory.
-Needs packages of the groups build, test and bench (packages.txt) and the target vtk-peer.
+Prints the ratio to VTK of a frame, and the ratios to `f3d --output` of a whole process: its time, with driver caches warm and cold, the
+peak memory of its largest process, and the peak of all its processes together, shared pages by their share (PSS).
+Needs packages of the groups build, test and bench (packages.txt) and the target vtk-peer; leaves out what is not there.
 """
 import argparse
 import json
 import os
 import pathlib
+import shutil
 import statistics
 import subprocess
 import tempfile
@@ -22,7 +24,7 @@ def parse_arguments():
     parser.add_argument("--build", type=pathlib.Path, default=ROOT / "build")
     parser.add_argument("--size", default="1280x1024")
     parser.add_argument("--frames", type=int, default=30)
-    parser.add_argument("--turns", type=int, default=5, help="how often each program runs")
+    parser.add_argument("--turns", type=int, default=7, help="how often each program runs")
     parser.add_argument("--triangles", type=int, default=1_000_000, help="of the phantom")
     parser.add_argument("--ssao", type=int, nargs="?", const=64, default=0, metavar="SAMPLES",
                         help="with screen-space ambient occlusion, blurred, of so many samples (alone: 64)")
@@ -46,6 +48,37 @@ def measure_process(command, environment=None):
     if process.returncode:
         raise SystemExit(f"{command[0]} failed: {message.strip()}")
     return seconds, usage.ru_maxrss * 1024
+
+
+def descendants(process):
+    """The process and all below it."""
+    found = [process]
+    try:
+        for thread in os.listdir(f"/proc/{process}/task"):
+            with open(f"/proc/{process}/task/{thread}/children") as children:
+                for child in children.read().split():
+                    found += descendants(child)
+    except OSError:
+        pass  # it ended meanwhile
+    return found
+
+
+def proportional_bytes(process):
+    try:
+        with open(f"/proc/{process}/smaps_rollup") as rollup:
+            return 1024 * next(int(line.split()[1]) for line in rollup if line.startswith("Pss:"))
+    except (OSError, StopIteration):
+        return 0
+
+
+def peak_of_all(command, environment=None):
+    """Peak bytes of a command's processes together. Looking slows the command down: not for timing."""
+    with open(os.devnull, "wb") as nowhere, subprocess.Popen([str(word) for word in command], stdout=nowhere, stderr=nowhere, env=environment) as process:
+        peak = 0
+        while process.poll() is None:
+            peak = max(peak, sum(proportional_bytes(each) for each in descendants(process.pid)))
+            time.sleep(0.005)
+    return peak
 
 
 class Display:
@@ -98,39 +131,69 @@ def phantom(program, folder, triangles):
     return mesh
 
 
+def compare_frames(arguments, folder, mesh, program, display):
+    width, height = arguments.size.split("x")
+    peer = arguments.build / "bin/vtk-peer"
+    if not peer.exists():
+        print(f"frame: {peer} is not there; build the target vtk-peer")
+        return
+    vtk = [peer, mesh, width, height]
+    camera = json.loads(output_of(vtk + [1], display))
+    scene = session_of(mesh, folder, arguments.ssao, camera)
+    ours, theirs = [], []
+    for _ in range(arguments.turns):
+        ours.append(json.loads(output_of([program, "bench", scene, "--size", arguments.size, "--frames", arguments.frames, "--json"])))
+        theirs.append(json.loads(output_of(vtk + [arguments.frames] + (["--ssao", arguments.ssao] if arguments.ssao else []), display)))
+    frame = statistics.median(run["frame"]["median_ms"] for run in ours)
+    frame_vtk = statistics.median(run["frame"]["median_ms"] for run in theirs)
+    print(f"{mesh.name}, {theirs[0]['triangles']:,} triangles, {arguments.size}, medians of {arguments.turns} runs in turns")
+    print(f"frame        {frame:8.1f} ms   VTK {frame_vtk:8.1f} ms   ratio {frame / frame_vtk:.2f}")
+    host = [run["host_cpu"]["median_ms"] for run in ours if "host_cpu" in run]
+    if host:
+        print(f"host CPU     {statistics.median(host):8.3f} ms   per frame, GL work aside")
+
+
+def compare_processes(arguments, folder, mesh, program, display):
+    if shutil.which("f3d") is None:
+        print("whole render: f3d is not installed")
+        return
+    render = [program, "render", mesh, "-o", folder / "ours.png", "--size", arguments.size]
+    f3d = ["f3d", mesh, "--output", folder / "theirs.png", "--resolution=" + arguments.size.replace("x", ",")]
+
+    def row(name, ours, theirs, format):
+        mine, other = statistics.median(ours), statistics.median(theirs)
+        print(f"{name:<12} {format(mine)}   f3d {format(other)}   ratio {mine / other:.2f}")
+
+    def seconds(value):
+        return f"{value:8.2f} s "
+
+    def megabytes(value):
+        return f"{value / 1e6:8.0f} MB"
+
+    ours, theirs, cold, cold_f3d = [], [], [], []
+    for turn in range(arguments.turns):
+        ours.append(measure_process(render))
+        theirs.append(measure_process(f3d, display))
+    for turn in range(min(3, arguments.turns)):
+        fresh = {"MESA_SHADER_CACHE_DIR": str(folder / f"cache{turn}")}
+        cold.append(measure_process(render, dict(os.environ, **fresh))[0])
+        fresh = {"MESA_SHADER_CACHE_DIR": str(folder / f"f3d-cache{turn}")}
+        cold_f3d.append(measure_process(f3d, dict(display, **fresh))[0])
+    row("whole render", [run[0] for run in ours], [run[0] for run in theirs], seconds)
+    row("  cold cache", cold, cold_f3d, seconds)
+    row("peak memory", [run[1] for run in ours], [run[1] for run in theirs], megabytes)
+    row("  all, PSS", [peak_of_all(render) for _ in range(3)], [peak_of_all(f3d, display) for _ in range(3)], megabytes)
+
+
 def main():
     arguments = parse_arguments()
-    width, height = arguments.size.split("x")
-    program, peer = arguments.build / "bin/lumenshop", arguments.build / "bin/vtk-peer"
+    program = arguments.build / "bin/lumenshop"
     with tempfile.TemporaryDirectory() as name, Display() as display:
         folder = pathlib.Path(name)
         mesh = pathlib.Path(arguments.mesh).resolve() if arguments.mesh else phantom(program, folder, arguments.triangles)
-        vtk = [peer, mesh, width, height]
-        camera = json.loads(output_of(vtk + [1], display))
-        scene = session_of(mesh, folder, arguments.ssao, camera)
-
-        ours, theirs = [], []
-        for _ in range(arguments.turns):
-            ours.append(json.loads(output_of([program, "bench", scene, "--size", arguments.size, "--frames", arguments.frames, "--json"])))
-            theirs.append(json.loads(output_of(vtk + [arguments.frames] + (["--ssao", arguments.ssao] if arguments.ssao else []), display)))
-        frame = statistics.median(run["frame"]["median_ms"] for run in ours)
-        frame_vtk = statistics.median(run["frame"]["median_ms"] for run in theirs)
-        print(f"{mesh.name}, {theirs[0]['triangles']:,} triangles, {arguments.size}, medians of {arguments.turns} runs in turns")
-        print(f"frame        {frame:8.1f} ms   VTK {frame_vtk:8.1f} ms   ratio {frame / frame_vtk:.2f}")
-        host = [run["host_cpu"]["median_ms"] for run in ours if "host_cpu" in run]
-        if host:
-            print(f"host CPU     {statistics.median(host):8.3f} ms   per frame, GL work aside")
-
-        if arguments.frame_only:
-            return
-        ours, theirs = [], []
-        for _ in range(arguments.turns):
-            ours.append(measure_process([program, "render", mesh, "-o", folder / "ours.png", "--size", arguments.size]))
-            theirs.append(measure_process(["f3d", mesh, "--output", folder / "theirs.png", f"--resolution={width},{height}"], display))
-        seconds, seconds_f3d = (statistics.median(run[0] for run in runs) for runs in (ours, theirs))
-        memory, memory_f3d = (statistics.median(run[1] for run in runs) for runs in (ours, theirs))
-        print(f"whole render {seconds:8.2f} s    f3d {seconds_f3d:8.2f} s    ratio {seconds / seconds_f3d:.2f}")
-        print(f"peak memory  {memory / 1e6:8.0f} MB   f3d {memory_f3d / 1e6:8.0f} MB   ratio {memory / memory_f3d:.2f}")
+        compare_frames(arguments, folder, mesh, program, display)
+        if not arguments.frame_only:
+            compare_processes(arguments, folder, mesh, program, display)
 
 
 if __name__ == "__main__":

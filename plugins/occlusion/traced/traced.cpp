@@ -56,7 +56,7 @@ struct Traced : lumen::Occlusion {
     hits.upload(sum.data());
     for (float& value : sum) value = 1 - std::pow(1 - value / float(last), strength.get());
     frame.layer(occlusion).upload(sum.data());
-    if (last < samples) frame.unfinished();
+    if (last < samples) frame.unfinished(float(last) / float(samples));
   }
 
   void released() override { scene_.reset(); }

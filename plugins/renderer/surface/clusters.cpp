@@ -3,7 +3,9 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <numeric>
+#include <span>
 
 #include <meshoptimizer.h>
 
@@ -104,6 +106,38 @@ std::vector<std::uint32_t> places(const lumen::Mesh& mesh) {
   return place;
 }
 
+/// The sphere about the box of the points, and the cone about the mean direction.
+Cluster cluster_of(const lumen::Mesh& mesh, std::span<const glm::uvec3> triangles, std::uint32_t first, std::uint32_t count) {
+  Cluster cluster{.first = first, .count = count};
+  std::array<glm::vec3, cluster_size> normals;
+  glm::vec3 low(std::numeric_limits<float>::infinity()), high(-low), sum(0);
+  for (std::uint32_t i = 0; i < count; ++i) {
+    const glm::uvec3& t = triangles[first + i];
+    const glm::vec3 &p = mesh.positions[t.x], &q = mesh.positions[t.y], &r = mesh.positions[t.z];
+    low = glm::min(low, glm::min(p, glm::min(q, r)));
+    high = glm::max(high, glm::max(p, glm::max(q, r)));
+    const glm::vec3 normal = glm::cross(q - p, r - p);
+    const float length = glm::length(normal);
+    normals[i] = length > 0 ? normal / length : glm::vec3(0);  // nobody sees a triangle without area
+    sum += normals[i];
+  }
+  cluster.center = 0.5f * (low + high);
+  float square = 0, narrowest = 1;
+  for (std::uint32_t i = 0; i < count; ++i)
+    for (int corner = 0; corner < 3; ++corner) {
+      const glm::vec3 away = mesh.positions[triangles[first + i][corner]] - cluster.center;
+      square = std::max(square, glm::dot(away, away));
+    }
+  cluster.radius = std::sqrt(square);
+  if (glm::length(sum) == 0) return cluster;
+  cluster.axis = glm::normalize(sum);
+  for (std::uint32_t i = 0; i < count; ++i)
+    if (normals[i] != glm::vec3(0)) narrowest = std::min(narrowest, glm::dot(normals[i], cluster.axis));
+  // Near a right angle nothing would be left out; some room for rounding.
+  if (narrowest > 0.1f) cluster.cutoff = std::min(1.0f, std::sqrt(std::max(0.0f, 1 - narrowest * narrowest)) + 1e-4f);
+  return cluster;
+}
+
 }  // namespace
 
 ClusteredMesh make_clusters(const lumen::Mesh& mesh) {
@@ -115,18 +149,18 @@ ClusteredMesh make_clusters(const lumen::Mesh& mesh) {
 
   const std::vector<std::uint32_t> place = places(mesh);
   result.triangles.resize(count);
-  result.cells.resize(count);
-  for (std::size_t i = 0; i < count; ++i) {
-    result.triangles[place[i]] = mesh.triangles[i];
-    result.cells[place[i]] = mesh.triangle_cells.empty() ? std::uint32_t(i) : mesh.triangle_cells[i];
-  }
-  for (std::uint32_t first = 0; first < count; first += cluster_size) {
-    const std::uint32_t size = std::min(cluster_size, std::uint32_t(count) - first);
-    const meshopt_Bounds bounds = meshopt_computeClusterBounds(&result.triangles[first].x, size * 3, &mesh.positions[0].x, mesh.positions.size(), sizeof(glm::vec3));
-    result.clusters.push_back({first, size, glm::vec3(bounds.center[0], bounds.center[1], bounds.center[2]), bounds.radius,
-                               glm::vec3(bounds.cone_axis[0], bounds.cone_axis[1], bounds.cone_axis[2]), bounds.cone_cutoff});
-  }
+  for (std::size_t i = 0; i < count; ++i) result.triangles[place[i]] = mesh.triangles[i];
+  result.clusters.reserve(count / cluster_size + 1);
+  for (std::uint32_t first = 0; first < count; first += cluster_size)
+    result.clusters.push_back(cluster_of(mesh, result.triangles, first, std::min(cluster_size, std::uint32_t(count) - first)));
   return result;
+}
+
+std::vector<std::uint32_t> drawn_cells(const lumen::Mesh& mesh) {
+  const std::vector<std::uint32_t> place = places(mesh);
+  std::vector<std::uint32_t> cells(place.size());
+  for (std::size_t i = 0; i < place.size(); ++i) cells[place[i]] = mesh.triangle_cells.empty() ? std::uint32_t(i) : mesh.triangle_cells[i];
+  return cells;
 }
 
 void visible_runs(const ClusteredMesh& mesh, const Visibility& visibility, std::vector<Run>& runs) {

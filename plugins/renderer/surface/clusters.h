@@ -16,7 +16,6 @@ struct Cluster {
 
 struct ClusteredMesh {
   std::vector<glm::uvec3> triangles;   ///< neighbors stand together
-  std::vector<std::uint32_t> cells;    ///< the source cell of each
   std::vector<Cluster> clusters;
   std::uint32_t count = 0;             ///< of triangles
   /// Closed, and turned outward everywhere: seen from outside, what faces away is hidden.
@@ -24,6 +23,8 @@ struct ClusteredMesh {
 };
 
 ClusteredMesh make_clusters(const lumen::Mesh& mesh);
+/// The source cell of each triangle in the drawn order.
+std::vector<std::uint32_t> drawn_cells(const lumen::Mesh& mesh);
 
 /// What the eye may see, in object space.
 struct Visibility {

@@ -37,6 +37,7 @@ MeshBuffers::MeshBuffers(const lumen::Mesh& mesh, const lumen::Attribute* attrib
   }
   // A value per cell: points are no longer shared, each corner has its cell's value.
   const std::vector<float> cell_values = shown_values(*attribute);
+  const std::vector<std::uint32_t> cells = drawn_cells(mesh);
   std::vector<glm::vec3> positions, normals;
   std::vector<float> values;
   for (std::size_t i = 0; i < clusters_.triangles.size(); ++i) {
@@ -44,7 +45,7 @@ MeshBuffers::MeshBuffers(const lumen::Mesh& mesh, const lumen::Attribute* attrib
     for (int corner = 0; corner < 3; ++corner) {
       positions.push_back(mesh.positions[triangle[corner]]);
       if (!mesh.normals.empty()) normals.push_back(mesh.normals[triangle[corner]]);
-      values.push_back(cell_values[clusters_.cells[i]]);
+      values.push_back(cell_values[cells[i]]);
     }
     triangle = glm::uvec3(3 * i) + glm::uvec3(0, 1, 2);
   }
@@ -64,9 +65,7 @@ void MeshBuffers::upload(std::span<const glm::vec3> positions, std::span<const g
     array_.attribute(2, values_, 1, sizeof(float));
   }
   triangles_ = buffer_of(std::span<const glm::uvec3>(clusters_.triangles));
-  cells_ = buffer_of(std::span<const std::uint32_t>(clusters_.cells));
   clusters_.triangles = {};  // the GL has them now
-  clusters_.cells = {};
 }
 
 void MeshBuffers::bind(const lumen::gl::Buffer& indices) const {
@@ -74,11 +73,12 @@ void MeshBuffers::bind(const lumen::gl::Buffer& indices) const {
   array_.bind();
   glVertexAttrib3f(1, 0, 0, 0);  // what points without a normal read
   glVertexAttrib1f(2, 0);
-  glBindBufferBase(GL_SHADER_STORAGE_BUFFER, 8, cells_.name());
 }
 
-void MeshBuffers::draw_all() const {
+void MeshBuffers::draw_all(const lumen::Mesh& mesh) {
+  if (!cells_) cells_ = buffer_of(std::span<const std::uint32_t>(drawn_cells(mesh)));
   bind(triangles_);
+  glBindBufferBase(GL_SHADER_STORAGE_BUFFER, 8, cells_.name());
   glDrawElements(GL_TRIANGLES, GLsizei(clusters_.count * 3), GL_UNSIGNED_INT, nullptr);
 }
 

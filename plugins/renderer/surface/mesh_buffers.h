@@ -13,8 +13,8 @@ class MeshBuffers {
  public:
   /// `attribute`: the array that colors, or null; its magnitude if it has several components.
   MeshBuffers(const lumen::Mesh& mesh, const lumen::Attribute* attribute);
-  /// All triangles, in one call.
-  void draw_all() const;
+  /// All triangles of the mesh that it was made from, in one call, which tells their cells apart.
+  void draw_all(const lumen::Mesh& mesh);
   /// What the visibility lets through, in few calls: a call per run costs software GL more than the triangles.
   void draw(const Visibility& visibility);
   const ClusteredMesh& clusters() const { return clusters_; }
@@ -27,7 +27,8 @@ class MeshBuffers {
   void draw_elements(std::size_t first, std::size_t count) const;
   void upload(std::span<const glm::vec3> positions, std::span<const glm::vec3> normals, std::span<const float> values);
   ClusteredMesh clusters_;
-  lumen::gl::Buffer positions_, normals_, values_, triangles_, cells_;
+  lumen::gl::Buffer positions_, normals_, values_, triangles_;
+  lumen::gl::Buffer cells_;         ///< made when first wanted
   lumen::gl::Buffer visible_;       ///< the triangles that draw() gathered last
   std::vector<Run> runs_;
   lumen::gl::VertexArray array_;

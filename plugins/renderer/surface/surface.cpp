@@ -50,7 +50,7 @@ struct Surface : lumen::Renderer {
     if (buffers_ == nullptr) buffers_ = std::make_unique<MeshBuffers>(*data, attribute());
     for (int part = 0; part < int(draw.parts().size()); ++part) {
       draw.use("renderer/surface.glsl", part);
-      if (draw.identifies()) buffers_->draw_all();  // primitives are numbered through
+      if (draw.identifies()) buffers_->draw_all(*data);  // primitives are numbered through
       else buffers_->draw(visibility(draw, draw.parts()[std::size_t(part)]));
     }
   }
