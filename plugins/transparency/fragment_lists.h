@@ -28,6 +28,7 @@ class FragmentLists {
   }
 
   void release() { *this = {}; }
+  std::size_t bytes() const { return heads_.size() + links_.size() + colors_.size(); }
 
  private:
   /// The links, 12 bytes each, are the larger of the two buffers.

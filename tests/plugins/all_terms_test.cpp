@@ -197,7 +197,7 @@ void expect_properties_show(Kind kind) {
         pair.scene.set_value(term + "." + spec.id, value);
         change = std::max(change, largest_difference(before, pair.draw()));
       }
-      EXPECT_GT(change, 1e-3f) << "no value that was tried changes the picture";
+      EXPECT_GT(change, 1e-4f) << "no value that was tried changes the picture";
     }
   }
 }

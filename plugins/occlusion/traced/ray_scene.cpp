@@ -1,6 +1,7 @@
 #include "ray_scene.h"
 
 #include <algorithm>
+#include <atomic>
 #include <cstring>
 #include <map>
 
@@ -40,9 +41,15 @@ struct RayScene::Embree {
   RTCDevice device = rtcNewDevice("threads=1");
   RTCScene world = nullptr;
   std::vector<std::unique_ptr<Cut>> cuts;
+  std::atomic<std::ptrdiff_t> bytes = 0;
 
   Embree() {
     if (device == nullptr) fail("starting");
+    const auto count = [](void* bytes, ssize_t change, bool) {
+      *static_cast<std::atomic<std::ptrdiff_t>*>(bytes) += change;
+      return true;
+    };
+    rtcSetDeviceMemoryMonitorFunction(device, count, &bytes);
     world = rtcNewScene(device);
   }
   ~Embree() {
@@ -91,6 +98,8 @@ RayScene::RayScene(std::vector<lumen::TracedSurface> surfaces) : embree_(std::ma
 }
 
 RayScene::~RayScene() = default;
+
+std::size_t RayScene::bytes() const { return std::size_t(std::max<std::ptrdiff_t>(embree_->bytes, 0)); }
 
 bool RayScene::shows(std::span<const lumen::TracedSurface> surfaces) const {
   return std::equal(surfaces.begin(), surfaces.end(), surfaces_.begin(), surfaces_.end(), same);

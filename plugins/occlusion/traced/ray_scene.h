@@ -16,6 +16,7 @@ class RayScene {
   RayScene(const RayScene&) = delete;
   RayScene& operator=(const RayScene&) = delete;
 
+  std::size_t bytes() const;  ///< of triangles and hierarchy
   /// Whether these surfaces are what was built.
   bool shows(std::span<const lumen::TracedSurface> surfaces) const;
   /// Whether the ray from a world position along a unit direction hits anything nearer than `reach`, world units.

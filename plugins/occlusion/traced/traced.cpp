@@ -60,6 +60,7 @@ struct Traced : lumen::Occlusion {
   }
 
   void released() override { scene_.reset(); }
+  std::size_t bytes() const override { return scene_ == nullptr ? 0 : scene_->bytes(); }
 
  private:
   void update_scene(const lumen::Frame& frame) {

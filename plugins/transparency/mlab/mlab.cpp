@@ -23,6 +23,7 @@ struct Mlab : lumen::Transparency {
     frame.fullscreen(shader, {.function = "resolve"});
   }
   void released() override { lists_.release(); }
+  std::size_t bytes() const override { return lists_.bytes(); }
 
  private:
   FragmentLists lists_;
