@@ -78,7 +78,7 @@ FrameContext ViewRenderer::State::context(int set, const ViewGeometry& sample, L
   FrameBlock timeless = sample.block;
   timeless.transparent_extent.w = 0;
   return {session, shaders, values, shading, log, layers, centers, scene, sample, frame_block, light_block,
-          Hash().add(timeless).add(sample.size()).value(), Hash().add(lights).value(), lights.count.x, set};
+          Hash().add(timeless).add(sample.size()).add(sample.camera.pivot).add(sample.camera.distance).value(), Hash().add(lights).value(), lights.count.x, set};
 }
 
 std::string ViewRenderer::State::draw_scene(int set, glm::vec2 jitter, LayerStore& layers) {
