@@ -31,6 +31,13 @@ int visible_channels(std::string_view layer, lumen::Format format) {
   return layer == "normal" || layer == "albedo" || layer == "ambient" || layer == "diffuse" || layer == "specular" ? 3 : lumen::channels_of(format);
 }
 
+/// The accessor of a layer that nothing in the view writes: zero, with the components that it always has.
+std::string absent(const std::string& layer) {
+  const bool four = layer == "color" || layer == "transparent" || layer == "illumination";
+  const std::string type = four ? "vec4" : layer == "id" ? "uvec4" : visible_channels(layer, lumen::Format::R32F) == 3 ? "vec3" : "float";
+  return type + " " + layer + "_at(vec2 uv) { return " + type + "(0); }\n";
+}
+
 void set_blend(GLuint target, lumen::Blend blend) {
   glBlendEquationi(target, blend == lumen::Blend::maximum ? GL_MAX : GL_FUNC_ADD);
   switch (blend) {
@@ -57,7 +64,11 @@ std::string PluginPass::accessors() const {
       continue;
     }
     const lumen::gl::Texture* texture = context_.layers.find(stored(reads_, layer));
-    const lumen::Format format = texture == nullptr ? lumen::Format::R32F : texture->format();
+    if (texture == nullptr) {
+      text += absent(layer);
+      continue;
+    }
+    const lumen::Format format = texture->format();
     const std::string sampler = "lumen_layer_" + layer;
     const bool integers = format == lumen::Format::RGBA32UI;
     text += (integers ? "uniform usampler2D " : "uniform sampler2D ") + sampler + ";\n";

@@ -58,7 +58,7 @@ FrameContext ViewRenderer::State::context(int set, const PictureWindow& window, 
   const glm::vec4 to_centers(glm::vec2(sample.size()) / float(window.scale) / centers_size,
                              glm::vec2(window.origin - window.border + border()) / centers_size);
   return {session, shaders, values, shading, log, layers, centers, scene, sample, frame_block, light_block, to_centers,
-          Hash().add(timeless).add(sample.size()).value(), Hash().add(lights).value(), lights.count.x, set};
+          Hash().add(timeless).add(sample.size()).add(sample.camera.pivot).add(sample.camera.distance).value(), Hash().add(lights).value(), lights.count.x, set};
 }
 
 ViewGeometry ViewRenderer::State::geometry_of(const PictureWindow& window) const {
