@@ -1,12 +1,13 @@
 #include "mesh_buffers.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace {
 
 /// Software GL holds a few hundred bytes for each triangle that is drawn and not yet rasterized, of as many as it is given.
-constexpr std::size_t triangles_at_once = 1 << 14;
+constexpr std::size_t triangles_at_once = 1 << 14, parts_ahead = 4;
 
 template <class T>
 lumen::gl::Buffer buffer_of(std::span<const T> values) {
@@ -83,20 +84,23 @@ void MeshBuffers::draw_all(const lumen::Mesh& mesh) {
 }
 
 void MeshBuffers::draw_elements(std::size_t first, std::size_t count) const {
-  GLsync before = nullptr;
+  std::array<GLsync, parts_ahead> done{};
+  std::size_t part = 0;
+  const auto wait = [&](GLsync& sync) {
+    if (sync != nullptr) glClientWaitSync(sync, GL_SYNC_FLUSH_COMMANDS_BIT, GL_TIMEOUT_IGNORED);
+    glDeleteSync(sync);
+    sync = nullptr;
+  };
   for (const std::size_t end = first + count; first < end; first += triangles_at_once) {
     const std::size_t some = std::min(triangles_at_once, end - first);
+    GLsync& sync = done[part++ % parts_ahead];
+    wait(sync);
     glDrawElements(GL_TRIANGLES, GLsizei(some * 3), GL_UNSIGNED_INT, reinterpret_cast<const void*>(std::uintptr_t(first) * sizeof(glm::uvec3)));
     if (count <= triangles_at_once) return;
-    const GLsync now = glFenceSync(GL_SYNC_GPU_COMMANDS_COMPLETE, 0);
+    sync = glFenceSync(GL_SYNC_GPU_COMMANDS_COMPLETE, 0);
     glFlush();
-    if (before != nullptr) {
-      glClientWaitSync(before, 0, GL_TIMEOUT_IGNORED);
-      glDeleteSync(before);
-    }
-    before = now;
   }
-  glDeleteSync(before);
+  for (GLsync sync : done) glDeleteSync(sync);
 }
 
 void MeshBuffers::draw(const Visibility& visibility) {

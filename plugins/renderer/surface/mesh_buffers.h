@@ -23,7 +23,7 @@ class MeshBuffers {
 
  private:
   void bind(const lumen::gl::Buffer& indices) const;
-  /// Triangles of the bound indices; waits for the last but one part of many.
+  /// Triangles of the bound indices; of many parts only a few are under way at a time.
   void draw_elements(std::size_t first, std::size_t count) const;
   void upload(std::span<const glm::vec3> positions, std::span<const glm::vec3> normals, std::span<const float> values);
   ClusteredMesh clusters_;
