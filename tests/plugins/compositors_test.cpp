@@ -5,8 +5,7 @@
 #include <gtest/gtest.h>
 #include <lumen/testing.h>
 
-#include "installation.h"
-#include "modules/registry.h"
+#include "plugins/installed_types.h"
 
 namespace {
 
@@ -21,14 +20,7 @@ const std::map<std::string, std::string> neutral = {
     {"compositor.halos", R"({"strength": 0})"},
 };
 
-std::vector<std::string> compositors() {
-  lumenshop::Registry registry({lumenshop::Installation::find().plugins()}, nullptr);
-  registry.load_all();
-  std::vector<std::string> ids;
-  for (const lumenshop::TypeInfo& type : registry.types())
-    if (type.kind == lumen::Kind::compositor) ids.push_back(type.id);
-  return ids;
-}
+std::vector<std::string> compositors() { return lumenshop::installed_types(lumen::Kind::compositor); }
 
 /// Opaque, transparent and empty pixels; the vignette before the tested one rounds to the half floats that it writes.
 void fill(Scene& scene) {

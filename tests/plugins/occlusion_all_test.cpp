@@ -4,9 +4,8 @@
 
 #include <nlohmann/json.hpp>
 
-#include "installation.h"
-#include "modules/registry.h"
 #include "occluders.h"
+#include "plugins/installed_types.h"
 
 namespace {
 
@@ -17,15 +16,12 @@ constexpr const char* turned_by_60 = R"({"transform": [1,0,0,0, 0,0.5,-0.8660254
 
 /// Of those that darken an ambient light, not those that give illumination.
 std::vector<std::string> installed_occlusions() {
-  lumenshop::Registry registry({lumenshop::Installation::find().plugins()}, nullptr);
-  registry.load_all();
-  std::vector<std::string> ids;
-  for (const lumenshop::TypeInfo& type : registry.types()) {
-    if (type.kind != lumen::Kind::occlusion) continue;
+  std::vector<std::string> ids = lumenshop::installed_types(lumen::Kind::occlusion);
+  std::erase_if(ids, [](const std::string& id) {
     Scene scene;
-    const auto& writes = scene.add(type.id, "ao").writes();
-    if (std::any_of(writes.begin(), writes.end(), [](const lumen::Writes* layer) { return layer->layer() == "occlusion"; })) ids.push_back(type.id);
-  }
+    const auto& writes = scene.add(id, "ao").writes();
+    return std::none_of(writes.begin(), writes.end(), [](const lumen::Writes* layer) { return layer->layer() == "occlusion"; });
+  });
   return ids;
 }
 

@@ -3,8 +3,7 @@
 #include <epoxy/gl.h>
 #include <gtest/gtest.h>
 
-#include "installation.h"
-#include "modules/registry.h"
+#include "plugins/installed_types.h"
 #include "transparent_sheets.h"
 
 namespace {
@@ -14,14 +13,7 @@ using sheets::Scene;
 using sheets::Sheet;
 
 const std::vector<std::string>& techniques() {
-  static const std::vector<std::string> all = [] {
-    lumenshop::Registry registry({lumenshop::Installation::find().plugins()}, nullptr);
-    registry.load_all();
-    std::vector<std::string> ids;
-    for (const lumenshop::TypeInfo& type : registry.types())
-      if (type.kind == lumen::Kind::transparency) ids.push_back(type.id);
-    return ids;
-  }();
+  static const std::vector<std::string> all = lumenshop::installed_types(lumen::Kind::transparency);
   return all;
 }
 
