@@ -48,8 +48,8 @@ DisplayOptions display_of(Offscreen& offscreen, const std::string& view_id) {
 /// Returning memory costs less than finding it again, but layers, which are large, go at once: the peak counts.
 void keep_memory() {
   mallopt(M_MMAP_THRESHOLD, 1 << 20);
-  mallopt(M_TRIM_THRESHOLD, 64 << 20);
-  mallopt(M_TOP_PAD, 4 << 20);
+  mallopt(M_TRIM_THRESHOLD, 16 << 20);
+  mallopt(M_TOP_PAD, 1 << 20);
 }
 
 }  // namespace

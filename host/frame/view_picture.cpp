@@ -21,10 +21,10 @@ using lumen::Kind;
 
 namespace {
 
-/// Antialiasing draws the picture in windows, since its layers need four times the memory: of half a million samples, or of
+/// Antialiasing draws the picture in windows, since its layers need four times the memory: of a quarter of a million samples, or of
 /// half as many samples as a large picture has pixels, so that they keep within the GL's limit.
 int windows_across(glm::ivec2 pixels) {
-  constexpr double samples_at_once = 1 << 19;
+  constexpr double samples_at_once = 1 << 18;
   return std::clamp(int(std::ceil(std::sqrt(4.0 * pixels.x * pixels.y / samples_at_once))), 1, 3);
 }
 
