@@ -23,8 +23,7 @@ vec4 circle_of_confusion(Properties p, Pixel pixel) {
   float lens = p.aperture * lumen.extent.z / max(focus, 1e-3 * lumen.extent.z);
   float diameter = isinf(depth) ? (orthographic() ? 1e6 * lens : pixels_of(lens, 1.0))
                                 : pixels_of(lens * abs(depth - focus), max(depth, 1e-3 * lumen.extent.z));
-  // Transparent surfaces have no depth here: they are as sharp as they are opaque.
-  return vec4(min(0.5 * diameter, p.largest) * (1.0 - clamp(transparent_at(pixel.uv).a, 0.0, 1.0)));
+  return vec4(min(0.5 * diameter, p.largest));
 }
 
 vec4 largest_in_tile(Properties p, Pixel pixel) {
@@ -48,19 +47,25 @@ vec4 largest_around(Properties p, Pixel pixel) {
   return vec4(largest);
 }
 
+// What is seen behind the transparent surfaces, which have no depth here and stay sharp.
+vec4 behind_at(vec2 uv) { return max(color_at(uv) - transparent_at(uv), 0.0); }
+
+// How much of it is seen.
+float clear_at(vec2 uv) { return max(1.0 - transparent_at(uv).a, 1e-4); }
+
 vec4 render(Properties p, Pixel pixel) {
   const vec2 golden = vec2(-0.73736888, 0.67549029);  // cosine and sine of the golden angle
-  vec4 own = color_at(pixel.uv);
+  vec4 scene = color_at(pixel.uv);
   float reach = circle_reach_at((vec2(pixel.coordinate) + 0.5) / float(tile) / vec2(textureSize(circle_reach, 0)));
-  if (reach < 0.5) return own;
+  if (reach < 0.5) return scene;
   float radius = circle_at(pixel.uv), depth = depth_at(pixel.uv);
   reach += 0.5;  // where a circle's edge pixel still counts
   float nearer = isinf(depth) ? 1e30 : depth - 1e-3 * lumen.extent.z;
   bool before_focus = depth < focal_distance(p);
   float weights = 1.0 / max(pi * radius * radius, 1.0);
-  own *= weights;
-  vec4 front = vec4(0);
-  float covered = 0.0;
+  vec4 sharp = behind_at(pixel.uv), own = sharp * weights, front = vec4(0);
+  float clear = clear_at(pixel.uv), covered = 0.0, front_clear = 0.0;
+  weights *= clear;
   int taps = clamp(int(5.0 * reach * reach), 8, p.samples);
   vec2 around = vec2(1, 0);
   for (int i = 0; i < taps; ++i) {
@@ -77,15 +82,18 @@ vec4 render(Properties p, Pixel pixel) {
     if (!in_front) circle = before_focus ? radius : min(circle, radius);
     float weight = area * clamp(circle - length(offset) + 0.5, 0.0, 1.0) / max(pi * circle * circle, 1.0);
     if (weight <= 0.0) continue;
-    vec4 color = color_at(uv) * weight;
+    vec4 color = behind_at(uv) * weight;
+    float seen = clear_at(uv) * weight;
     if (in_front) {
       front += color;
       covered += weight;
+      front_clear += seen;
     } else {
       own += color;
-      weights += weight;
+      weights += seen;
     }
   }
-  front /= max(covered, 1.0);
-  return front + (1.0 - min(covered, 1.0)) * own / weights;
+  float over = min(covered, 1.0);
+  vec4 blurred = over * front / max(front_clear, 1e-6) + (1.0 - over) * own / weights;
+  return max(scene + clear * blurred - sharp, 0.0);
 }

@@ -286,15 +286,26 @@ TEST(DepthOfField, TheFocusIsThePivotAPlaceOrADistance) {
   EXPECT_TRUE(sharp(14));
 }
 
-TEST(DepthOfField, ATransparentSurfaceIsAsSharpAsItIsOpaque) {
-  Lens scene(R"({"aperture": 2})");
-  scene.add("opacity.constant", "full", R"({"alpha": 1})");
+TEST(DepthOfField, ATransparentSurfaceStaysSharpOverWhatIsBlurredBehindIt) {
+  Lens scene(R"({"aperture": 0.2})");
+  scene.add("opacity.constant", "half", R"({"alpha": 0.5})");
   scene.add("transparency.weighted", "weighted");
-  flat(scene, "pane", rectangle(2, 2), {1, 0, 0});
-  scene.set("pane.opacity", "full");
+  flat(scene, "pane", moved(*rectangle(2, 1), {0, 0, -2}), {1, 0, 0});
+  flat(scene, "bar", moved(*rectangle(0.3f, 6), {0, 0, -5}), {0, 0, 1});
+  scene.set("pane.opacity", "half");
   const Pixels picture = scene.picture();
+  const Pixels opacity = scene.layer("opacity");
+  float blurred = 0;
   for (int y = 0; y < 128; ++y)
-    for (int x = 0; x < 128; ++x) EXPECT_TRUE(picture.rgba(x, y).a < 1e-3f || picture.rgba(x, y).a > 0.999f) << x << " " << y;
+    for (int x = 0; x < 128; ++x) {
+      const bool behind_pane = opacity.at(x, y) > 0;
+      EXPECT_NEAR(picture.at(x, y), behind_pane ? 0.5f : 0.0f, 2e-3f) << "red is the pane's alone at " << x << " " << y;
+      // Away from the pane's rim the bar has the same profile in front of it and behind it, half as strong there.
+      if (behind_pane) EXPECT_NEAR(picture.at(x, y, 2), 0.5f * picture.at(x, 40, 2), 0.02f) << x << " " << y;
+      const float blue = picture.at(x, 40, 2);
+      blurred += blue > 0.1f && blue < 0.9f ? 1 : 0;
+    }
+  EXPECT_GT(blurred, 3 * 128);
 }
 
 // --- depth unsharp masking: a step of depth at the picture's middle.
@@ -331,6 +342,49 @@ TEST(DepthUnsharp, ATiltedPlaneKeepsItsColor) {
   const Pixels picture = scene.picture();
   for (int y = 20; y < 44; ++y)
     for (int x = 20; x < 44; ++x) EXPECT_NEAR(picture.at(x, y), 0.5f, 2e-3f);
+}
+
+// --- halos: a square 0.2 in front of a wall, its edges between pixels 15 and 16 and between 47 and 48 of 64.
+
+TEST(Halos, AreAsWideAsTheDepthBehindTheEdgeSaysAndOnlyThere) {
+  const Scene shared;
+  for (const float part : {0.25f, 0.5f, 1.0f, 3.0f}) {  // of the depth of the widest halo
+    Scene scene({64, 64});
+    flat(scene, "wall", rectangle(4, 4), glm::vec3(0));
+    flat(scene, "square", moved(*rectangle(1.1f, 1.1f), {0, 0, 0.2f}), glm::vec3(0));
+    scene.add("compositor.halos", "halos", R"({"width": 8})");
+    scene.set_value("halos.full", Value(0.2f / part / (0.5f * std::sqrt(32.04f))));
+    const Pixels picture = scene.picture();
+    double left = 0, right = 0, above = 0;
+    for (int i = 0; i < 16; ++i) left += picture.at(i, 32), right += picture.at(63 - i, 32), above += picture.at(32, i);
+    const double expected = 8 * std::min(part, 1.0f);
+    EXPECT_NEAR(left, expected, 0.05) << part;
+    EXPECT_NEAR(right, expected, 0.05) << part;
+    EXPECT_NEAR(above, expected, 0.05) << part;
+    for (int y = 16; y < 48; ++y)
+      for (int x = 16; x < 48; ++x) EXPECT_EQ(picture.at(x, y), 0) << "none on what is in front";
+  }
+}
+
+TEST(Halos, SlopesAndConvexSurfacesHaveNone) {
+  const Scene shared;
+  for (const float degrees : {20.0f, 80.0f}) {
+    Scene scene({64, 64});
+    flat(scene, "plane", rectangle(30, 30), glm::vec3(0));
+    scene.set_value("plane.transform", Value(glm::rotate(glm::mat4(1), glm::radians(degrees), glm::vec3(1, 0.4f, 0))));
+    scene.add("compositor.halos", "halos", R"({"width": 10, "full": 0.01})");
+    const Pixels picture = scene.picture();
+    for (int y = 0; y < 64; ++y)
+      for (int x = 0; x < 64; ++x) ASSERT_LT(picture.at(x, y), 0.01f) << degrees << " " << x << " " << y;
+  }
+  Scene scene({64, 64});
+  flat(scene, "ball", lumen::testing::sphere(128, 0.8f), glm::vec3(0));
+  scene.add("compositor.halos", "halos", R"({"width": 10, "full": 0.05})");
+  const Pixels picture = scene.picture();
+  for (int y = 0; y < 64; ++y)
+    for (int x = 0; x < 64; ++x) EXPECT_LT(picture.at(x, y), 0.05f) << x << " " << y;
+  scene.set("halos.background", "true");
+  EXPECT_EQ(scene.picture().rgba(32 - 27, 32), glm::vec4(1)) << "the rim is 23.3 from the middle";
 }
 
 }  // namespace

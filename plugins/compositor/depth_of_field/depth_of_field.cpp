@@ -1,6 +1,6 @@
 /// Depth of field: a thin lens blurs what is out of focus. Circle of confusion: Potmesil, Chakravarty, A Lens and Aperture
 /// Camera Model for Synthetic Image Generation, SIGGRAPH 1981. Gathered as if scattered, what is in front over what is behind:
-/// Jimenez, Next Generation Post Processing in Call of Duty: Advanced Warfare, SIGGRAPH 2014 courses.
+/// Jimenez, Next Generation Post Processing in Call of Duty: Advanced Warfare, SIGGRAPH 2014 courses. Transparent surfaces stay sharp.
 
 #include <algorithm>
 #include <cmath>
