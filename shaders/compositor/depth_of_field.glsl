@@ -20,6 +20,12 @@ float focal_distance(Properties p) {
 // as a perspective one that shows the focal plane as large: its lens looks from the camera's distance.
 vec4 circle_of_confusion(Properties p, Pixel pixel) {
   float depth = depth_at(pixel.uv), focus = focal_distance(p);
+  if (isinf(depth) && !p.background) {
+    // Samples beside the center may have hit the surface next to it: such a rim blurs with the surface.
+    for (int y = -1; y <= 1; ++y)
+      for (int x = -1; x <= 1; ++x) depth = min(depth, depth_at(pixel.uv + vec2(x, y) / lumen.size.xy));
+    if (isinf(depth)) return vec4(0);
+  }
   float lens = p.aperture * lumen.extent.z / max(focus, 1e-3 * lumen.extent.z);
   float diameter = isinf(depth) ? (orthographic() ? 1e6 * lens : pixels_of(lens, 1.0))
                                 : pixels_of(lens * abs(depth - focus), max(depth, 1e-3 * lumen.extent.z));
@@ -77,9 +83,10 @@ vec4 render(Properties p, Pixel pixel) {
     vec2 uv = pixel.uv + offset / lumen.size.xy;
     if (offset == vec2(0) || any(greaterThan(abs(uv - 0.5), vec2(0.5)))) continue;
     float circle = circle_at(uv);
-    bool in_front = depth_at(uv) < nearer;
-    // Before the focus what is behind shows through wherever the pixel's own circle spreads, sharp or not.
-    if (!in_front) circle = before_focus ? radius : min(circle, radius);
+    float there = depth_at(uv);
+    bool in_front = there < nearer;
+    // Before the focus, and at the scene's rim, what is behind shows through wherever the pixel's own circle spreads.
+    if (!in_front) circle = before_focus || isinf(there) ? radius : min(circle, radius);
     float weight = area * clamp(circle - length(offset) + 0.5, 0.0, 1.0) / max(pi * circle * circle, 1.0);
     if (weight <= 0.0) continue;
     vec4 color = behind_at(uv) * weight;

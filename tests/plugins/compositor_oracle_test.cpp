@@ -3,6 +3,7 @@
 
 #include <glm/gtc/matrix_transform.hpp>
 #include <gtest/gtest.h>
+#include <lumen/image.h>
 #include <lumen/testing.h>
 
 namespace {
@@ -306,6 +307,25 @@ TEST(DepthOfField, ATransparentSurfaceStaysSharpOverWhatIsBlurredBehindIt) {
       blurred += blue > 0.1f && blue < 0.9f ? 1 : 0;
     }
   EXPECT_GT(blurred, 3 * 128);
+}
+
+TEST(DepthOfField, TheGroundBehindTheSceneBlursOnlyWhenAskedFor) {
+  auto stripe = std::make_shared<lumen::Image>();
+  stripe->width = 128, stripe->height = 1, stripe->channels = {"R", "G", "B"};
+  std::vector<float> pixels(128 * 3, 0.0f);
+  for (int x = 64; x < 128; ++x) pixels[std::size_t(x) * 3] = pixels[std::size_t(x) * 3 + 1] = pixels[std::size_t(x) * 3 + 2] = 1;
+  stripe->pixels = pixels;
+  stripe->finish();
+  Scene scene({128, 128});
+  scene.give("stripe", stripe);
+  scene.add("compositor.background", "behind", R"({"mode": "image", "fit": "stretch", "image": {"link": "stripe.image"}})");
+  scene.add("compositor.depth_of_field", "lens");
+  flat(scene, "ball", moved(*lumen::testing::sphere(32, 0.1f), {-0.9f, 0.9f, 0}));
+  EXPECT_EQ(scene.picture().at(63, 64), 0);
+  EXPECT_EQ(scene.picture().at(64, 64), 1);
+  scene.set("lens.background", "true");
+  EXPECT_NEAR(scene.picture().at(63, 64), 0.5f, 0.08f);
+  EXPECT_NEAR(scene.picture().at(64, 64), 0.5f, 0.08f);
 }
 
 // --- depth unsharp masking: a step of depth at the picture's middle.

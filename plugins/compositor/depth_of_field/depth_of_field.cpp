@@ -18,6 +18,7 @@ struct DepthOfField : lumen::Compositor {
   lumen::Property<lumen::Choice> focus{this, "focus", {"pivot"}, {.doc = "sharp is what the camera turns about, the surface at a place of the picture, or a distance", .choices = {"pivot", "place", "distance"}}};
   lumen::Property<glm::vec2> place{this, "place", glm::vec2(0.5f), {.min = 0, .max = 1, .doc = "of the picture, from its bottom left; the pivot while no opaque surface is there", .when = "focus = place"}};
   lumen::Property<float> distance{this, "distance", 1.0f, {.min = 1e-6, .max = 1e12, .unit = "world", .doc = "from the eye along the view axis", .when = "focus = distance", .logarithmic = true}};
+  lumen::Property<bool> background{this, "background", false, {.doc = "what stands behind the scene blurs, too, as if infinitely far"}};
   lumen::Property<float> largest{this, "largest", 24.0f, {.min = 1, .max = 64, .unit = "pixels", .doc = "radius that no circle of confusion exceeds: larger ones cost more and show the samples"}};
   lumen::Property<int> samples{this, "samples", 96, {.min = 8, .max = 512, .doc = "taps where the largest circle reaches; fewer elsewhere", .constant = true}};
 
