@@ -28,7 +28,7 @@ std::string inputs_text(const lumen::TextureInputs& inputs) {
 
 /// How many components a reader sees: packed extras are hidden.
 int visible_channels(std::string_view layer, lumen::Format format) {
-  return layer == "normal" || layer == "albedo" || layer == "ambient" || layer == "diffuse" || layer == "specular" ? 3 : lumen::channels_of(format);
+  return layer == "normal" || layer == "front_normal" || layer == "albedo" || layer == "ambient" || layer == "diffuse" || layer == "specular" ? 3 : lumen::channels_of(format);
 }
 
 /// The accessor of a layer that nothing in the view writes: zero, with the components that it always has.

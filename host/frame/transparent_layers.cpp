@@ -71,11 +71,12 @@ int transparent_occlusion_layers(const FrameContext& context) {
   return context.scene.view->occluded_layers;
 }
 
-void run_transparent_occlusion(const FrameContext& context, std::map<std::string, PluginPassMemory>& memories) {
+void run_transparent_layers(const FrameContext& context, std::map<std::string, PluginPassMemory>& memories, bool front) {
   const int count = transparent_occlusion_layers(context);
+  const int drawn = front && !context.scene.transparent.empty() ? std::max(count, 1) : count;
   if (context.set == 0) {
+    for (int i = 0; i < drawn; ++i) run_layer_geometry(context, i);
     for (int i = 0; i < count; ++i) {
-      run_layer_geometry(context, i);
       LayerNames reads, writes;
       for (const char* layer : {"depth", "normal", "depth_buffer"}) reads[layer] = name_of(i, layer);
       for (const char* layer : {"occlusion", "illumination"}) writes[layer] = name_of(i, layer);
@@ -84,12 +85,19 @@ void run_transparent_occlusion(const FrameContext& context, std::map<std::string
       pass.run([&](PluginPass& in) { occlusion.as<lumen::Occlusion>(lumen::Kind::occlusion)->render(in); });
     }
     for (int i = count; i < most_layers; ++i)
-      for (const char* layer : {"depth_buffer", "normal", "depth", "occlusion", "illumination"}) context.layers.drop(name_of(i, layer));
+      for (const char* layer : {"occlusion", "illumination"}) context.layers.drop(name_of(i, layer));
+    for (int i = drawn; i < most_layers; ++i)
+      for (const char* layer : {"depth_buffer", "normal", "depth"}) context.layers.drop(name_of(i, layer));
     std::erase_if(memories, [&](const auto& memory) {
       const auto& [name, contents] = memory;
       return name.starts_with(layer_prefix) && std::atoi(name.c_str() + layer_prefix.size()) >= count;
     });
   }
+}
+
+LayerNames front_layers(const LayerStore& layers) {
+  const bool transparent = layers.find(name_of(0, "depth")) != nullptr;
+  return {{"front_depth", transparent ? name_of(0, "depth") : "depth"}, {"front_normal", transparent ? name_of(0, "normal") : "normal"}, {"opaque", "lit"}};
 }
 
 std::uint64_t transparent_occlusion_revision(const FrameContext& context) {

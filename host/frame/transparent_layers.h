@@ -8,8 +8,12 @@
 
 namespace lumenshop {
 
-/// Draws the layers and runs the occlusion over each, as far as due. `memories`: of the view's plugin passes.
-void run_transparent_occlusion(const FrameContext& context, std::map<std::string, PluginPassMemory>& memories);
+/// Draws the layers and runs the occlusion over each, as far as due. `memories`: of the view's plugin passes. `front`:
+/// somebody reads the front layer itself.
+void run_transparent_layers(const FrameContext& context, std::map<std::string, PluginPassMemory>& memories, bool front);
+
+/// Where compositors find the layers `front_depth`, `front_normal` and `opaque`.
+LayerNames front_layers(const LayerStore& layers);
 
 /// How many layers there are in this frame.
 int transparent_occlusion_layers(const FrameContext& context);

@@ -28,6 +28,11 @@ int windows_across(glm::ivec2 pixels) {
   return std::clamp(int(std::ceil(std::sqrt(4.0 * pixels.x * pixels.y / samples_at_once))), 1, 3);
 }
 
+bool reads_none(const Instance& instance, std::initializer_list<std::string_view> layers) {
+  const auto& reads = instance.plugin()->reads();
+  return std::none_of(reads.begin(), reads.end(), [&](const lumen::Reads* layer) { return std::find(layers.begin(), layers.end(), layer->layer()) != layers.end(); });
+}
+
 bool reads_only(const Instance& instance, std::initializer_list<std::string_view> layers) {
   const auto& reads = instance.plugin()->reads();
   return std::all_of(reads.begin(), reads.end(), [&](const lumen::Reads* layer) { return std::find(layers.begin(), layers.end(), layer->layer()) != layers.end(); });
@@ -90,7 +95,7 @@ void ViewRenderer::State::draw_occlusion(const FrameContext& frame) {
 std::string ViewRenderer::State::light_scene(const FrameContext& frame) {
   LayerStore& layers = frame.layers;
   run_lighting_pass(frame, summands() ? LightingOutput::summands : LightingOutput::lit);
-  run_transparent_occlusion(frame, memories);
+  run_transparent_layers(frame, memories, reads_front());
   if (scene.transparency == nullptr || scene.transparent.empty()) {
     layers.drop("transparent");
     return "lit";
@@ -232,12 +237,19 @@ void ViewRenderer::State::add_samples(bool apart) {
   samples = samples_of_round * (round + 1);
 }
 
+bool ViewRenderer::State::reads_front() const {
+  const auto reads = [](const Instance* instance) { return !reads_none(*instance, {"front_depth", "front_normal"}); };
+  return std::any_of(scene.compositors.begin(), scene.compositors.end(), reads) || std::any_of(scene.overlays.begin(), scene.overlays.end(), reads);
+}
+
 void ViewRenderer::State::draw_compositors(const std::string& scene_layer) {
   const FrameContext frame = context(0, whole(), geometry, centers);
   picture = scene_layer;
+  LayerNames reads = front_layers(centers);
   const auto run = [&](Instance& instance, auto&& draw) {
     const std::string output = "color of " + instance.id();
-    PluginPass pass(frame, instance, memories[instance.id()], {{"color", picture}}, {{"color", output}});
+    reads["color"] = picture;
+    PluginPass pass(frame, instance, memories[instance.id()], reads, {{"color", output}});
     pass.run(draw);
     picture = output;
   };

@@ -62,6 +62,7 @@ struct ViewRenderer::State {
   ViewGeometry geometry_of(const PictureWindow& window) const;
   FrameContext context(int set, const PictureWindow& window, const ViewGeometry& geometry, LayerStore& layers);
   bool summands() const;            ///< the radiance is wanted term by term
+  bool reads_front() const;         ///< somebody reads the front-most surface, transparent ones included
   bool needs_centers() const;       ///< somebody reads more than the mean of a pixel's samples
   bool draw(bool final);            ///< `final`: nobody looks before it is finished
   void draw_surfaces(const FrameContext& frame);       ///< if due, as all of these

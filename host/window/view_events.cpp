@@ -84,9 +84,10 @@ void ViewPanel::take_button(const WindowEvent& event, const Context& context, bo
     return;
   }
   if (button != held_button_) return;
+  const bool a_tools = input_.captured_by_tool();
   if (input_.captured()) input_.send(event_at(InputEvent::Type::release, event));
   held_button_ = InputEvent::Button::none;
-  if (moved_ || !hovered) return;
+  if (moved_ || !hovered || a_tools) return;
   if (button == InputEvent::Button::right) open_menu_ = true;
   // A second click has been a double click already; a modified one belongs to the interactors.
   else if (button == InputEvent::Button::left && last_click_ > 0 && !event.shift && !event.control && held_letter_.empty())

@@ -64,6 +64,12 @@ bool ViewInputRouter::send(const InputEvent& event) {
   return false;
 }
 
+bool ViewInputRouter::captured_by_tool() const {
+  const Instance* instance = captured() ? situation_.session->find(captured_by_) : nullptr;
+  const auto* interactor = instance == nullptr ? nullptr : instance->as<lumen::Interactor>(lumen::Kind::interactor);
+  return interactor != nullptr && !interactor->is_camera();
+}
+
 void ViewInputRouter::let_go() {
   if (!captured()) return;
   captured_by_.clear();

@@ -28,6 +28,8 @@ class ViewInputRouter final : public lumen::ViewInput {
   /// True if an interactor claimed it. A claimed press is an open edit until its release.
   bool send(const lumen::InputEvent& event);
   bool captured() const { return !captured_by_.empty(); }
+  /// Somebody else than the camera has the press: a click of it means something else than selecting.
+  bool captured_by_tool() const;
   /// Lets go of a drag whose release was lost; its edit ends.
   void let_go();
   /// Calls tick() of those that asked for it. True if one still moves.

@@ -17,7 +17,7 @@ using lumen::testing::Scene;
 const std::map<std::string, std::string> neutral = {
     {"compositor.vignette", R"({"radius": 3, "softness": 0.001})"}, {"compositor.silhouettes", R"({"opacity": 0})"}, {"compositor.fog", R"({"amount": 0})"},
     {"compositor.depth_of_field", R"({"aperture": 0})"},            {"compositor.depth_unsharp", R"({"strength": 0})"}, {"compositor.cast_shadows", R"({"strength": 0})"},
-    {"compositor.halos", R"({"strength": 0})"},
+    {"compositor.halos", R"({"strength": 0})"},                     {"compositor.refraction", R"({"index": 1})"},
 };
 
 std::vector<std::string> compositors() { return lumenshop::installed_types(lumen::Kind::compositor); }
