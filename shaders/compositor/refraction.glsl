@@ -20,6 +20,7 @@ vec4 render(Properties p, Pixel pixel) {
   vec2 uv = clamp(bent(p, pixel.uv), vec2(0), vec2(1));
   // What is bent must lie behind the surface: nothing in front of it is seen through it.
   if (depth_at(uv) < front_depth_at(pixel.uv)) return scene;
-  vec4 straight = opaque_at(pixel.uv), moved = opaque_at(uv);
-  return max(scene + clear * (moved - straight), vec4(0));
+  // Where nothing moves the antialiased picture stays.
+  if (distance(uv, pixel.uv) * lumen.size.y < 0.5) return scene;
+  return transparent_at(pixel.uv) + clear * opaque_at(uv);
 }
