@@ -33,6 +33,8 @@ Installation Installation::find() {
 
 std::filesystem::path Installation::user_plugins() { return user_folder("XDG_DATA_HOME", ".local/share") / "plugins"; }
 
+std::filesystem::path Installation::user_gallery() { return user_folder("XDG_DATA_HOME", ".local/share") / "gallery"; }
+
 std::filesystem::path Installation::user_config() { return user_folder("XDG_CONFIG_HOME", ".config"); }
 
 }  // namespace lumenshop

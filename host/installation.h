@@ -18,6 +18,7 @@ struct Installation {
   std::filesystem::path templates() const { return root / "share/lumenshop/templates"; }  ///< of `lumenshop new`
   std::filesystem::path build_description() const { return root / "share/lumenshop/build.json"; }
   static std::filesystem::path user_plugins();  ///< $XDG_DATA_HOME/lumenshop/plugins
+  static std::filesystem::path user_gallery();  ///< $XDG_DATA_HOME/lumenshop/gallery: pictures of spheres
   static std::filesystem::path user_config();   ///< $XDG_CONFIG_HOME/lumenshop
 };
 

@@ -47,13 +47,15 @@ void Workshop::open(const std::vector<std::filesystem::path>& files) {
 }
 
 ShaderLibrary& Workshop::shaders() {
-  if (!shaders_) {
-    std::vector<std::filesystem::path> folders{Installation::find().shaders()};
-    for (const auto& folder : registry_->folders())  // a folder of plugins may bring its shaders with it
-      if (std::filesystem::is_directory(folder / "shaders")) folders.push_back(folder / "shaders");
-    shaders_ = std::make_unique<ShaderLibrary>(std::move(folders));
-  }
+  if (!shaders_) shaders_ = std::make_unique<ShaderLibrary>(shader_folders());
   return *shaders_;
+}
+
+std::vector<std::filesystem::path> Workshop::shader_folders() const {
+  std::vector<std::filesystem::path> folders{Installation::find().shaders()};
+  for (const auto& folder : registry_->folders())
+    if (std::filesystem::is_directory(folder / "shaders")) folders.push_back(folder / "shaders");
+  return folders;
 }
 
 ViewRenderer& Workshop::view(const std::string& id) {

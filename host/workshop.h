@@ -35,6 +35,8 @@ class Workshop {
   Scheduler& scheduler() { return *scheduler_; }
   /// Made at the first call; the GL context must be current then and whenever it goes.
   ShaderLibrary& shaders();
+  /// Where shader files are: the installation's, and those that folders of plugins bring.
+  std::vector<std::filesystem::path> shader_folders() const;
   ViewRenderer& view(const std::string& id = {});       ///< default: the first of the session
   void close_views();                                   ///< before the GL context goes
   std::vector<lumen::Problem> problems() const;         ///< of all

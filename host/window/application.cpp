@@ -19,13 +19,15 @@ namespace lumenshop {
 
 Application::Application(Workshop& workshop, GlfwWindow& window, Gui& gui, Files files)
     : workshop_(workshop), window_(window), gui_(gui), settings_file_(std::move(files.settings)), settings_(Settings::load(settings_file_)), restore_(std::move(files.state)),
-      workbench_(workshop, [this](const std::string& message) { toasts_.show(lumen::Severity::warning, "That does not work", message); }),
-      check_(workshop), view_(workshop), properties_(workshop.registry(), "editor.properties"), problems_(workshop.registry(), "editor.problems") {
+      workbench_(workshop, [this](const std::string& message) { toasts_.show(lumen::Severity::warning, "That does not work", message); }, GlfwWindow::wake),
+      check_(workshop), view_(workshop), properties_(workshop.registry(), "editor.properties"), problems_(workshop.registry(), "editor.problems"),
+      materials_(workshop.registry(), "editor.materials") {
   add_commands();
   const Installation installation = Installation::find();
   reloader_ = std::make_unique<Reloader>(workshop_.registry(), workshop_.session(), check_,
                                          Reloader::Options{.shader_folder = installation.shaders(), .build_description = installation.build_description()});
   workbench_.set_reloader(reloader_.get());
+  workbench_.set_picking([this](glm::vec2 point) { return view_.instance_at(point); });
   watch_ = std::make_unique<DescriptorWatch>(reloader_->descriptor(), GlfwWindow::wake);
   gui_.look().browse = [this](const std::string& from) { browse(from); };
   apply_look();
@@ -59,6 +61,7 @@ void Application::save_settings() {
 
 bool Application::update() {
   bool news = workshop_.scheduler().update();
+  news |= workbench_.update();
   if (watch_->ready()) {
     for (const ReloadEvent& event : reloader_->poll()) {
       news = true;
@@ -146,15 +149,26 @@ void Application::draw_panels(const std::vector<WindowEvent>& events) {
   draw_shortcuts(commands_, open_help_);
 }
 
+EditorPanel& Application::bottom_panel() { return settings_.bottom_panel == "materials" ? materials_ : problems_; }
+
 void Application::draw_bottom(const Rectangle& place) {
-  const PanelWindow panel("problems", place);
-  const lumen::ui::Look& look = gui_.look();
-  const std::size_t count = workbench_.problems().size();
-  {
+  const PanelWindow window(settings_.bottom_panel.c_str(), place);
+  lumen::ui::Look& look = gui_.look();
+  const auto tab = [&](const char* name, EditorPanel& panel, const std::string& title) {
+    const bool shown = &panel == &bottom_panel();
     const lumen::ui::FontScope font(look.heading);
-    lumen::ui::text(problems_.title(workshop_.session()) + (count > 0 ? " " + std::to_string(count) : ""), look.colors.text);
-  }
-  problems_.draw(workshop_.session(), workbench_);
+    ImGui::PushStyleColor(ImGuiCol_Button, shown ? look.colors.field : lumen::ui::faded(look.colors.panel, 0));
+    ImGui::PushStyleColor(ImGuiCol_Text, shown ? look.colors.text : look.colors.label);
+    if (ImGui::Button((title + "###tab " + name).c_str()) && !shown) commands_.run(std::string("window.") + name);
+    lumen::ui::record(std::string("tab:") + name);
+    ImGui::PopStyleColor(2);
+    ImGui::SameLine(0, look(3));
+  };
+  const std::size_t count = workbench_.problems().size();
+  tab("problems", problems_, problems_.title(workshop_.session()) + (count > 0 ? " " + std::to_string(count) : ""));
+  tab("materials", materials_, materials_.title(workshop_.session()));
+  ImGui::NewLine();
+  bottom_panel().draw(workshop_.session(), workbench_);
 }
 
 void Application::take_keys(const std::vector<WindowEvent>& events) {

@@ -53,6 +53,7 @@ class Application {
   // application.cpp
   void draw_panels(const std::vector<WindowEvent>& events);
   void draw_bottom(const Rectangle& place);
+  EditorPanel& bottom_panel();
   void take_keys(const std::vector<WindowEvent>& events);
   void apply_look();
   void save_settings();
@@ -63,6 +64,7 @@ class Application {
   void add_edit_commands();
   void add_view_commands();
   void add_window_commands();
+  Command bottom_command(const char* id, const char* title, const char* keys, const char* panel);
   Command view_key(const char* id, const char* title, const char* keys, bool separated = false);
   // application_files.cpp
   void ask_to_open();
@@ -96,7 +98,7 @@ class Application {
   std::unique_ptr<DescriptorWatch> watch_;
   ViewPanel view_;
   Outline outline_;
-  EditorPanel properties_, problems_;
+  EditorPanel properties_, problems_, materials_;
   FileBrowser browser_;
   Question question_;
   AddPopup add_popup_;

@@ -5,6 +5,7 @@
 #include <fstream>
 
 #include <epoxy/gl.h>
+#include <imgui.h>
 
 #include <lumen/error.h>
 
@@ -99,6 +100,13 @@ void Script::begin_pointer(const Json& step, const std::string& verb) {
   move_to(position);
   press_keys(held, true);
   if (verb == "click") {
+    if (step.value("times", 1) > 1) {
+      // Frames may take long: the clicks of one step are a double click however far apart they come, and those of no other.
+      ImGui::GetIO().MouseDoubleClickTime = 60;
+      ImGui::GetIO().MouseClickedTime[which] = -1e6;
+    } else {
+      ImGui::GetIO().MouseDoubleClickTime = 0.3f;
+    }
     for (int time = 0; time < step.value("times", 1); ++time) {
       button(which, true);
       button(which, false);
@@ -110,7 +118,8 @@ void Script::begin_pointer(const Json& step, const std::string& verb) {
     later(std::move(event));
   } else if (verb == "drag") {
     const int steps = std::max(1, step.value("steps", 8));
-    const glm::vec2 by(step.at("by").at(0).get<float>(), step.at("by").at(1).get<float>());
+    const glm::vec2 by = step.contains("to") ? aim(Json::object(), step["to"].get<std::string>()) - position
+                                             : glm::vec2(step.at("by").at(0).get<float>(), step.at("by").at(1).get<float>());
     button(which, true);
     for (int index = 1; index <= steps; ++index) move_to(position + by * (static_cast<float>(index) / static_cast<float>(steps)));
     if (step.value("release", true)) button(which, false);

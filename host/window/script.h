@@ -4,6 +4,7 @@
 ///   {"move": PLACE, "at": [0.5, 0.5]}                       at: within the control, default its middle
 ///   {"click": PLACE, "at": [..], "button": "left|right|middle", "times": 1, "keys": "Ctrl+Shift"}
 ///   {"drag": PLACE, "at": [..], "by": [40, 0], "button": .., "keys": .., "hold": "L", "steps": 8, "release": true}
+///       or "to": PLACE, its middle
 ///   {"wheel": PLACE, "notches": 1, "keys": ..}
 ///   {"type": "0.25"}    {"key": "Ctrl+Z"}    {"drop": ["file"]}    {"command": "session.save"}    {"select": "wall"}
 ///   {"idle": 0.3, "frames": 0}                              waits; at most so many frames may be drawn meanwhile

@@ -46,6 +46,7 @@ Settings Settings::load(const std::filesystem::path& file) {
   read(json, "scale", settings.user_scale, 0.75f, 3);
   read(json, "blender_keys", settings.blender_keys);
   read(json, "reduced_motion", settings.reduced_motion);
+  if (json.contains("bottom_panel") && json["bottom_panel"] == "materials") settings.bottom_panel = "materials";
   const std::string theme = json.contains("theme") && json["theme"].is_string() ? json["theme"].get<std::string>() : "";
   for (const auto each : {lumen::ui::Theme::light, lumen::ui::Theme::high_contrast})
     if (theme == name_of(each)) settings.theme = each;
@@ -65,6 +66,7 @@ void Settings::save(const std::filesystem::path& file) const {
   json["outline_open"] = panels.outline_open;
   json["properties_open"] = panels.properties_open;
   json["bottom_open"] = panels.bottom_open;
+  json["bottom_panel"] = bottom_panel;
   json["blender_keys"] = blender_keys;
   json["reduced_motion"] = reduced_motion;
   json["recent"] = recent;

@@ -142,6 +142,10 @@ void ViewPanel::refresh(bool editing) {
   }
 }
 
+std::string ViewPanel::instance_at(glm::vec2 point) {
+  return view_.empty() || !place_.contains(point) ? std::string() : input_.instance_at(point - place_.min);
+}
+
 bool ViewPanel::busy() const {
   if (input_.animating()) return true;
   // The chip was drawn before the last refinement: one more frame takes it away.

@@ -43,6 +43,8 @@ class ViewPanel {
   glm::ivec2 size() const { return size_; }
   double milliseconds() const { return milliseconds_; }  ///< of the last drawing
   const std::string& view() const { return view_; }
+  /// What is drawn at a point of the window: an instance's id, or empty. Inside an ImGui frame, after draw().
+  std::string instance_at(glm::vec2 point);
   ViewInputRouter& input() { return input_; }
   void let_go() { input_.let_go(); }
 

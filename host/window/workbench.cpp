@@ -7,6 +7,10 @@
 
 #include <lumen/interactor.h>
 
+#include "format_catalog.h"
+#include "frame/shader_library.h"
+#include "installation.h"
+#include "material_capture.h"
 #include "model/json_value.h"
 #include "window/open_editor.h"
 #include "window/view_trial.h"
@@ -19,8 +23,8 @@ constexpr std::size_t longest_orphan = 200;
 
 }  // namespace
 
-SessionWorkbench::SessionWorkbench(Workshop& workshop, std::function<void(const std::string&)> notice)
-    : workshop_(workshop), notice_(std::move(notice)) {
+SessionWorkbench::SessionWorkbench(Workshop& workshop, std::function<void(const std::string&)> notice, std::function<void()> wake)
+    : workshop_(workshop), notice_(std::move(notice)), shelf_(workshop.registry(), &workshop.helper(), std::move(wake)) {
   for (TypeInfo& type : workshop_.registry().types()) types_[type.id] = type;
 }
 
@@ -161,6 +165,33 @@ std::vector<lumen::Problem> SessionWorkbench::problems() const {
   for (lumen::Problem& problem : problems)
     if (std::find(unique.begin(), unique.end(), problem) == unique.end()) unique.push_back(std::move(problem));
   return unique;
+}
+
+std::string SessionWorkbench::add(const std::string& type, const std::string& properties) {
+  const Json values = Json::parse(properties, nullptr, false);
+  if (!values.is_object()) throw lumen::Error(type, "its values are no JSON object");
+  session().begin_edit();
+  std::string id;
+  try {
+    id = session().add(type).id();
+    for (const auto& [property, value] : values.items()) session().set(id + "." + property, value);
+  } catch (...) {
+    if (!id.empty()) session().remove(id);
+    session().end_edit();
+    throw;
+  }
+  session().end_edit();
+  return id;
+}
+
+std::string SessionWorkbench::gallery() const { return Installation::user_gallery().string(); }
+
+std::string SessionWorkbench::capture(const std::string& surface) {
+  if (session().views().empty()) throw lumen::Error(surface, "there is no view whose lights could shine on it");
+  ShaderLibrary shaders(workshop_.shader_folders());
+  auto picture = captured_material(session(), surface, session().views().front()->id(), workshop_.registry(), shaders);
+  const FormatCatalog formats(workshop_.registry());
+  return save_material(workshop_.scheduler(), formats.exporter_of("material.exr", lumen::DataKind::image), std::move(picture), gallery(), surface).string();
 }
 
 void SessionWorkbench::open_source(const std::string& file, int line) {

@@ -8,17 +8,22 @@
 #include <lumen/editor.h>
 
 #include "modules/reloader.h"
+#include "window/picture_shelf.h"
 #include "workshop.h"
 
 namespace lumenshop {
 
 class SessionWorkbench final : public lumen::Workbench {
  public:
-  /// `notice` shows what was refused.
-  SessionWorkbench(Workshop& workshop, std::function<void(const std::string&)> notice);
+  /// `notice` shows what was refused. `wake`: called from worker threads when update() has something to do.
+  SessionWorkbench(Workshop& workshop, std::function<void(const std::string&)> notice, std::function<void()> wake = {});
 
   void set_scale(float scale) { scale_ = scale; }
   void set_reduced_motion(bool on) { reduced_motion_ = on; }
+  /// What the view shows at a point of the window.
+  void set_picking(std::function<std::string(glm::vec2)> pick) { pick_ = std::move(pick); }
+  /// Takes what was made in the background. True if something was.
+  bool update() { return shelf_.update(); }
   void set_reloader(const Reloader* reloader) { reloader_ = reloader; }
   /// Badges of what was just loaded or kept. `now` in seconds, steady. The badge "loaded" goes after three seconds.
   void reloaded(const ReloadEvent& event, double now);
@@ -44,6 +49,11 @@ class SessionWorkbench final : public lumen::Workbench {
   void select(const std::string& instance) override;
   std::vector<lumen::Problem> problems() const override;
   void open_source(const std::string& file, int line) override;
+  std::string add(const std::string& type, const std::string& properties = "{}") override;
+  std::string instance_at(glm::vec2 point) override { return pick_ ? pick_(point) : std::string(); }
+  std::shared_ptr<const lumen::Image> picture(const std::string& type, const std::string& properties) override { return shelf_.take(type, properties); }
+  std::string gallery() const override;
+  std::string capture(const std::string& surface) override;
   float scale() const override { return scale_; }
   bool reduced_motion() const override { return reduced_motion_; }
 
@@ -56,6 +66,8 @@ class SessionWorkbench final : public lumen::Workbench {
 
   Workshop& workshop_;
   std::function<void(const std::string&)> notice_;
+  std::function<std::string(glm::vec2)> pick_;
+  PictureShelf shelf_;
   const Reloader* reloader_ = nullptr;
   float scale_ = 1;
   bool reduced_motion_ = false;

@@ -82,6 +82,18 @@ class Workbench {
   virtual void select(const std::string& instance) = 0;
   virtual std::vector<Problem> problems() const = 0;
   virtual void open_source(const std::string& file, int line) = 0;     ///< in $VISUAL
+  /// Adds an instance of a type, with values as a session file has them: a JSON object. Its id. Throws Error; then nothing came.
+  virtual std::string add(const std::string& type, const std::string& properties = "{}") = 0;
+  /// What the view shows at a point of the window, in ImGui's pixels: an instance's id, or empty.
+  virtual std::string instance_at(glm::vec2 point) = 0;
+  /// The picture that an importer of this type makes of these values, in no session: null while it is being made, then
+  /// handed over once. Throws Error: why there is none.
+  virtual std::shared_ptr<const Image> picture(const std::string& type, const std::string& properties) = 0;
+  /// The folder of a person's own materials, pictures of spheres; it may not be there yet.
+  virtual std::string gallery() const = 0;
+  /// Renders a surface's look on a sphere into that folder; the new file. Throws Error. The GL context must be current.
+  virtual std::string capture(const std::string& surface) = 0;
+
   virtual float scale() const = 0;                                     ///< pixels per UI unit
   virtual bool reduced_motion() const = 0;
 };
