@@ -28,6 +28,10 @@ class PassLog {
     return true;
   }
   void forget() { keys_.clear(); }
+  /// The set's layers are gone: all of its passes are due.
+  void forget(int set) {
+    std::erase_if(keys_, [set](const auto& entry) { return entry.first.first == set; });
+  }
   /// For a pass that learned while it ran what it depends on.
   void set_key(const std::string& name, int set, std::uint64_t key) { keys_[{set, name}] = key; }
   std::uint64_t total_runs() const { return total_runs_; }

@@ -117,6 +117,11 @@ bool ViewRenderer::State::needs_centers() const {
          std::any_of(requested.begin(), requested.end(), [](const std::string& layer) { return layer != "color"; });
 }
 
+void ViewRenderer::State::drop_fine() {
+  fine.clear();
+  log.forget(1);
+}
+
 void ViewRenderer::State::forget_unused() {
   std::set<std::string> used;
   for (const auto* list : {&scene.compositors, &scene.overlays})
@@ -142,7 +147,7 @@ void ViewRenderer::State::draw_picture(bool final) {
   }
   if (samples > samples_wanted()) samples = 1;  // fewer than before
   if (samples < samples_wanted() && !progressive_unfinished()) add_samples(false);
-  if (samples >= samples_wanted()) fine.clear();
+  if (samples >= samples_wanted()) drop_fine();
   draw_compositors(samples > 1 ? "mean" : scene_layer);
 }
 
@@ -157,7 +162,7 @@ void ViewRenderer::State::draw_mean_alone() {
     centers.clear();
     log.forget();
     while (samples < samples_wanted()) add_samples(occluded);
-    fine.clear();
+    drop_fine();
     content_key = opaque_key();
   }
   if (occluded && centers.find("mean open") != nullptr) {

@@ -59,7 +59,7 @@ bool ViewRenderer::State::draw(bool final) {
   session.update();
   if (!stale && drawn_session == session.revision() && drawn_shaders == shaders.revision() && !unfinished()) return false;
   find();
-  if (stale) fine.clear();
+  if (stale) drop_fine();
   stale = false;
   camera = scene.camera != nullptr ? scene.camera->as<lumen::Interactor>(Kind::interactor)->camera()
                                    : fitting_camera(scene.bounds, float(size.x) / float(size.y));

@@ -54,6 +54,7 @@ struct ViewRenderer::State {
     return samples <= 1 ? 1 : (samples + samples_of_round - 1) / samples_of_round * samples_of_round;
   }
   bool progressive_unfinished() const;
+  void drop_fine();                 ///< the samples' layers, and what is known of their passes
   void forget_unused();             ///< what is no longer in the view must not count as unfinished
   bool unfinished() const { return stale || samples < samples_wanted() || progressive_unfinished(); }
   void find();

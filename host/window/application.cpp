@@ -16,12 +16,17 @@
 #include "window/status_bar.h"
 
 namespace lumenshop {
+namespace {
+
+constexpr const char* problems_type = "editor.problems";
+
+}  // namespace
 
 Application::Application(Workshop& workshop, GlfwWindow& window, Gui& gui, Files files)
     : workshop_(workshop), window_(window), gui_(gui), settings_file_(std::move(files.settings)), settings_(Settings::load(settings_file_)), restore_(std::move(files.state)),
       workbench_(workshop, [this](const std::string& message) { toasts_.show(lumen::Severity::warning, "That does not work", message); }, GlfwWindow::wake),
-      check_(workshop), view_(workshop), properties_(workshop.registry(), "editor.properties"), problems_(workshop.registry(), "editor.problems"),
-      materials_(workshop.registry(), "editor.materials") {
+      check_(workshop), view_(workshop), properties_(workshop.registry(), "editor.properties") {
+  find_bottom_panels();
   add_commands();
   const Installation installation = Installation::find();
   reloader_ = std::make_unique<Reloader>(workshop_.registry(), workshop_.session(), check_,
@@ -149,26 +154,40 @@ void Application::draw_panels(const std::vector<WindowEvent>& events) {
   draw_shortcuts(commands_, open_help_);
 }
 
-EditorPanel& Application::bottom_panel() { return settings_.bottom_panel == "materials" ? materials_ : problems_; }
+void Application::find_bottom_panels() {
+  // Problems is there even if no library has it: its panel says so.
+  std::vector<std::string> types = {problems_type};
+  for (const TypeInfo& info : workshop_.registry().types())
+    if (info.kind == lumen::Kind::editor && info.id != "editor.properties" && info.id != problems_type) types.push_back(info.id);
+  for (const std::string& type : types)
+    bottom_panels_.push_back({type.substr(type.find('.') + 1), std::make_unique<EditorPanel>(workshop_.registry(), type)});
+}
+
+Application::BottomPanel& Application::bottom_panel() {
+  for (BottomPanel& panel : bottom_panels_)
+    if (panel.name == settings_.bottom_panel) return panel;
+  return bottom_panels_.front();
+}
 
 void Application::draw_bottom(const Rectangle& place) {
   const PanelWindow window(settings_.bottom_panel.c_str(), place);
   lumen::ui::Look& look = gui_.look();
-  const auto tab = [&](const char* name, EditorPanel& panel, const std::string& title) {
-    const bool shown = &panel == &bottom_panel();
+  const auto tab = [&](const std::string& name, bool shown, const std::string& title) {
     const lumen::ui::FontScope font(look.heading);
     ImGui::PushStyleColor(ImGuiCol_Button, shown ? look.colors.field : lumen::ui::faded(look.colors.panel, 0));
     ImGui::PushStyleColor(ImGuiCol_Text, shown ? look.colors.text : look.colors.label);
-    if (ImGui::Button((title + "###tab " + name).c_str()) && !shown) commands_.run(std::string("window.") + name);
-    lumen::ui::record(std::string("tab:") + name);
+    if (ImGui::Button((title + "###tab " + name).c_str()) && !shown) commands_.run("panel." + name);
+    lumen::ui::record("tab:" + name);
     ImGui::PopStyleColor(2);
     ImGui::SameLine(0, look(3));
   };
   const std::size_t count = workbench_.problems().size();
-  tab("problems", problems_, problems_.title(workshop_.session()) + (count > 0 ? " " + std::to_string(count) : ""));
-  tab("materials", materials_, materials_.title(workshop_.session()));
+  for (const BottomPanel& bottom : bottom_panels_) {
+    const bool problems = &bottom == &bottom_panels_.front();
+    tab(bottom.name, &bottom == &bottom_panel(), bottom.panel->title(workshop_.session()) + (problems && count > 0 ? " " + std::to_string(count) : ""));
+  }
   ImGui::NewLine();
-  bottom_panel().draw(workshop_.session(), workbench_);
+  bottom_panel().panel->draw(workshop_.session(), workbench_);
 }
 
 void Application::take_keys(const std::vector<WindowEvent>& events) {

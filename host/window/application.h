@@ -53,7 +53,13 @@ class Application {
   // application.cpp
   void draw_panels(const std::vector<WindowEvent>& events);
   void draw_bottom(const Rectangle& place);
-  EditorPanel& bottom_panel();
+  /// An installed editor other than the properties: a tab of the bottom panel each, the problems first.
+  struct BottomPanel {
+    std::string name;                      ///< "problems": its type's name
+    std::unique_ptr<EditorPanel> panel;
+  };
+  void find_bottom_panels();
+  BottomPanel& bottom_panel();             ///< the one that is shown
   void take_keys(const std::vector<WindowEvent>& events);
   void apply_look();
   void save_settings();
@@ -64,7 +70,7 @@ class Application {
   void add_edit_commands();
   void add_view_commands();
   void add_window_commands();
-  Command bottom_command(const char* id, const char* title, const char* keys, const char* panel);
+  Command bottom_command(const std::string& panel);
   Command view_key(const char* id, const char* title, const char* keys, bool separated = false);
   // application_files.cpp
   void ask_to_open();
@@ -98,7 +104,8 @@ class Application {
   std::unique_ptr<DescriptorWatch> watch_;
   ViewPanel view_;
   Outline outline_;
-  EditorPanel properties_, problems_, materials_;
+  EditorPanel properties_;
+  std::vector<BottomPanel> bottom_panels_;
   FileBrowser browser_;
   Question question_;
   AddPopup add_popup_;

@@ -1,4 +1,5 @@
 // The command table's contents.
+#include <cctype>
 #include <algorithm>
 
 #include "window/application.h"
@@ -83,12 +84,17 @@ void Application::add_view_commands() {
   }, .enabled = [this] { return figure_; }});
 }
 
-Command Application::bottom_command(const char* id, const char* title, const char* keys, const char* panel) {
-  const auto shown = [this, panel] { return settings_.panels.bottom_open && settings_.bottom_panel == panel; };
-  return {.id = id, .menu = "Window", .title = title, .keys = keys, .run = [this, panel, shown] {
+Command Application::bottom_command(const std::string& panel) {
+  const auto shown = [this, panel] { return settings_.panels.bottom_open && bottom_panel().name == panel; };
+  std::string title = panel;
+  title.front() = char(std::toupper(static_cast<unsigned char>(title.front())));
+  std::replace(title.begin(), title.end(), '_', ' ');
+  const char* keys = panel == "problems" ? "Ctrl+M" : panel == "materials" ? "Shift+M" : "";
+  return {.id = "panel." + panel, .menu = "Window", .title = title, .keys = keys, .run = [this, panel, shown] {
     settings_.panels.bottom_open = !shown();
     settings_.bottom_panel = panel;
-    if (&bottom_panel() == &materials_) settings_.panels.bottom = std::max(settings_.panels.bottom, PanelSizes::materials_least);
+    // Lines of text do with less than pictures and tables.
+    if (panel != "problems") settings_.panels.bottom = std::max(settings_.panels.bottom, PanelSizes::bottom_roomy);
     save_settings();
   }, .checked = shown};
 }
@@ -103,8 +109,7 @@ void Application::add_window_commands() {
   const auto shown = [this](bool PanelSizes::*open) { return [this, open] { return settings_.panels.*open; }; };
   commands_.add({.id = "window.outline", .menu = "Window", .title = "Outline", .keys = "T", .run = panel(&PanelSizes::outline_open), .checked = shown(&PanelSizes::outline_open)});
   commands_.add({.id = "window.properties", .menu = "Window", .title = "Properties", .keys = "N", .run = panel(&PanelSizes::properties_open), .checked = shown(&PanelSizes::properties_open)});
-  commands_.add(bottom_command("window.problems", "Problems", "Ctrl+M", "problems"));
-  commands_.add(bottom_command("window.materials", "Materials", "Shift+M", "materials"));
+  for (const BottomPanel& panel : bottom_panels_) commands_.add(bottom_command(panel.name));
   commands_.add({.id = "window.panels", .menu = "Window", .title = "All panels", .keys = "Ctrl+B", .run = [this] {
     PanelSizes& panels = settings_.panels;
     const bool open = !(panels.outline_open || panels.properties_open || panels.bottom_open);

@@ -16,7 +16,7 @@ struct Rectangle {
 /// In UI units; what the settings remember.
 struct PanelSizes {
   static constexpr float outline_default = 280, properties_default = 360, bottom_default = 130;
-  static constexpr float materials_least = 290;  ///< a row of pictures for each role
+  static constexpr float bottom_roomy = 290;  ///< least height of a bottom panel of pictures or tables, when it is opened
   float outline = outline_default, properties = properties_default, bottom = bottom_default;
   bool outline_open = true, properties_open = true, bottom_open = true;
 };

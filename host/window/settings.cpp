@@ -46,7 +46,7 @@ Settings Settings::load(const std::filesystem::path& file) {
   read(json, "scale", settings.user_scale, 0.75f, 3);
   read(json, "blender_keys", settings.blender_keys);
   read(json, "reduced_motion", settings.reduced_motion);
-  if (json.contains("bottom_panel") && json["bottom_panel"] == "materials") settings.bottom_panel = "materials";
+  if (json.contains("bottom_panel") && json["bottom_panel"].is_string()) settings.bottom_panel = json["bottom_panel"].get<std::string>();
   const std::string theme = json.contains("theme") && json["theme"].is_string() ? json["theme"].get<std::string>() : "";
   for (const auto each : {lumen::ui::Theme::light, lumen::ui::Theme::high_contrast})
     if (theme == name_of(each)) settings.theme = each;

@@ -14,7 +14,7 @@ namespace lumenshop {
 struct Settings {
   PanelSizes panels;
   lumen::ui::Theme theme = lumen::ui::Theme::dark;
-  std::string bottom_panel = "problems";  ///< or "materials"
+  std::string bottom_panel = "problems";  ///< an editor's name; one that is not there shows the problems
   float user_scale = 1;            ///< 0.75..3, times the monitor's
   bool blender_keys = false;
   bool reduced_motion = false;

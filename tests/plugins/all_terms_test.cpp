@@ -45,6 +45,19 @@ std::shared_ptr<Mesh> dented_ball() {
   return mesh;
 }
 
+/// A picture whose color says where in it one is.
+std::shared_ptr<Image> colors() {
+  auto image = std::make_shared<Image>();
+  image->width = image->height = 16;
+  image->channels = {"R", "G", "B"};
+  std::vector<float> pixels;
+  for (int y = 0; y < 16; ++y)
+    for (int x = 0; x < 16; ++x) pixels.insert(pixels.end(), {0.2f + 0.05f * float(x), 0.2f + 0.05f * float(y), 0.3f});
+  image->pixels = std::move(pixels);
+  image->finish();
+  return image;
+}
+
 /// An opaque and a transparent surface of the same terms, side by side, under two lights.
 class Pair {
  public:
@@ -56,6 +69,7 @@ class Pair {
                                   "transform": [1,0,0,)" + std::string(x) + ", 0,1,0,0, 0,0,1,0, 0,0,0,1]}");
     scene.add("transparency.weighted", "weighted");
     scene.set("front.direction", json(slanted));
+    scene.set("front.color", "[1, 0.9, 0.8]");
     scene.add("interactor.light", "back", R"({"direction": [-0.6, 0.1, -0.5], "color": [0.3, 0.6, 1], "intensity": 0.7})");
   }
   void use(Kind kind, const std::string& term) {
@@ -181,6 +195,7 @@ void fulfil(Scene& scene, const std::string& term, const Type& type, const std::
 /// Each property of each term of a kind, alone on its surface, shows in the picture.
 void expect_properties_show(Kind kind) {
   Pair pair(dented_ball());
+  pair.scene.give("picture", colors());
   int number = 0;
   for (const Type& type : installed(kind)) {
     for (const PropertySpec& spec : type.properties) {
@@ -189,6 +204,8 @@ void expect_properties_show(Kind kind) {
       SCOPED_TRACE(type.id + "." + spec.id);
       const std::string term = "term" + std::to_string(number++);
       pair.scene.add(type.id, term);
+      for (const PropertySpec& input : type.properties)
+        if (input.type == ValueType::data && input.data_kind == DataKind::image) pair.scene.set(term + "." + input.id, R"({"link": "picture.image"})");
       fulfil(pair.scene, term, type, spec.options.when);
       pair.use(kind, term);
       const Pixels before = pair.draw();

@@ -77,6 +77,19 @@ void add_lit_sphere(Scene& scene) {
   scene.surface("ball", lumen::testing::sphere(64, 0.6f), R"({"ambient": "ambient", "diffuse": "lambert", "ambient_color": [0.5, 0.5, 0.5]})");
 }
 
+TEST(Antialiasing, AfterAChangeOfLightThePictureIsThatOfAFreshView) {
+  Scene changed({64, 64}), fresh({64, 64});
+  for (Scene* scene : {&changed, &fresh}) {
+    add_lit_sphere(*scene);
+    scene->set("main.antialiasing", "4");
+  }
+  changed.layer("depth");  // the centers are drawn, too
+  for (Scene* scene : {&changed, &fresh}) scene->set("front.color", "[1, 0.2, 0.1]");
+  fresh.layer("depth");
+  EXPECT_GT(fresh.picture().rgb(32, 32).r, 0.5f);
+  EXPECT_EQ(lumen::testing::largest_difference(changed.picture(), fresh.picture()), 0);
+}
+
 // Where somebody asks for more than the picture, the pixels' centers are drawn, too, and give the occlusion.
 TEST(Antialiasing, ThePictureIsTheSameWhetherOrNotTheCentersAreWanted) {
   for (const bool occluded : {false, true}) {

@@ -40,7 +40,7 @@ struct MaterialWindow : testing::Test {
 
   /// Plays the steps with the gallery open; the script's failures are a failure.
   void play(const std::string& steps) const {
-    std::ofstream(folder / "script.json") << R"json([{"settle": true}, {"command": "window.materials"}, {"idle": 0.5}, )json" + steps + "]";
+    std::ofstream(folder / "script.json") << R"json([{"settle": true}, {"command": "panel.materials"}, {"idle": 0.5}, )json" + steps + "]";
     const std::string place = "'" + folder.string() + "'";
     const std::string command = "cd " + place + " && XDG_DATA_HOME=" + place + " XDG_CONFIG_HOME=" + place + " MESA_SHADER_CACHE_DIR=" + place +
                                 " timeout 240 xvfb-run -a -s '-screen 0 1280x800x24' '" + program.string() + "' --size 1200x760 --script script.json session.json 2>&1";
