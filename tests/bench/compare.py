@@ -25,6 +25,7 @@ def parse_arguments():
     parser.add_argument("--turns", type=int, default=5, help="how often each program runs")
     parser.add_argument("--triangles", type=int, default=1_000_000, help="of the phantom")
     parser.add_argument("--ssao", action="store_true", help="with screen-space ambient occlusion of 32 samples")
+    parser.add_argument("--transparent", action="store_true", help="everything at opacity .4: weighted sums, and exact against VTK's 8 dual peels")
     return parser.parse_args()
 
 
@@ -96,6 +97,30 @@ def phantom(program, folder, triangles):
     return mesh
 
 
+def compare_transparency(arguments, program, vtk, scene, display):
+    """Frames of transparent surfaces, by weighted sums and exactly."""
+    session = json.loads(scene.read_text())
+    session["plugins"]["opacity"] = {"type": "opacity.constant", "alpha": 0.4}
+    session["plugins"]["surface"]["opacity"] = "opacity"
+    scenes = {}
+    for case, technique in {"weighted": "weighted", "exact": "linked_list"}.items():
+        session["plugins"]["technique"] = {"type": "transparency." + technique}
+        session["views"]["main"]["transparency"] = "technique"
+        scenes[case] = scene.with_name(case + ".json")
+        scenes[case].write_text(json.dumps(session))
+    frames = {(who, case): [] for who in ("ours", "theirs") for case in scenes}
+    for _ in range(arguments.turns):
+        for case, file in scenes.items():
+            ours = output_of([program, "bench", file, "--size", arguments.size, "--frames", arguments.frames, "--json"])
+            theirs = output_of(vtk + [arguments.frames, "--transparent", case], display)
+            frames["ours", case].append(json.loads(ours)["frame"]["median_ms"])
+            frames["theirs", case].append(json.loads(theirs)["frame"]["median_ms"])
+    for case in scenes:
+        frame, frame_vtk = (statistics.median(frames[who, case]) for who in ("ours", "theirs"))
+        turns = sorted(ours / theirs for ours, theirs in zip(frames["ours", case], frames["theirs", case]))
+        print(f"{case:12} {frame:8.1f} ms   VTK {frame_vtk:8.1f} ms   ratio {statistics.median(turns):.2f} ({turns[0]:.2f} to {turns[-1]:.2f} by turn)")
+
+
 def main():
     arguments = parse_arguments()
     width, height = arguments.size.split("x")
@@ -106,6 +131,10 @@ def main():
         vtk = [peer, mesh, width, height]
         camera = json.loads(output_of(vtk + [1], display))
         scene = session_of(mesh, folder, arguments.ssao, camera)
+
+        if arguments.transparent:
+            compare_transparency(arguments, program, vtk, scene, display)
+            return
 
         ours, theirs = [], []
         for _ in range(arguments.turns):
