@@ -11,7 +11,7 @@
 
 class FragmentLists {
  public:
-  static constexpr double node_bytes = 20;
+  static constexpr double node_bytes = 20, most_megabytes = 1024;
 
   /// Draws all surfaces with the function `store` of the shader, again if they turn out to need more room than there is but
   /// less than the bound. What does not fit is reported by `owner`. The storage stays bound for the passes that read it.
@@ -21,10 +21,8 @@ class FragmentLists {
     if (needed > capacity_ && capacity_ < bound) needed = draw(frame, shader, std::min(needed + needed / 4, bound));
     if (needed <= capacity_) return;
     const std::string lost = std::to_string(needed - capacity_) + " of " + std::to_string(needed) + " transparent fragments found no room";
-    if (needed <= most_nodes(1e9))
-      owner.report(lumen::Severity::warning, lost + " and are missing: raise memory to " + std::to_string(int(std::ceil(double(needed) * node_bytes / 1e6))) + " MB");
-    else
-      owner.report(lumen::Severity::warning, lost + " in the largest buffer that this driver has and are missing: draw a smaller picture");
+    const std::string megabytes_needed = std::to_string(int(std::ceil(double(needed) * node_bytes / 1e6)));
+    owner.report(lumen::Severity::warning, lost + " and are missing: " + (needed <= most_nodes(most_megabytes) ? "raise memory to " + megabytes_needed + " MB" : "draw a smaller picture"));
   }
 
   void release() { *this = {}; }
@@ -33,9 +31,13 @@ class FragmentLists {
  private:
   /// The links, 12 bytes each, are the larger of the two buffers.
   static std::uint64_t most_nodes(double megabytes) {
-    GLint64 largest = 0;
-    glGetInteger64v(GL_MAX_SHADER_STORAGE_BLOCK_SIZE, &largest);
-    return std::min(std::uint64_t(megabytes * 1e6 / node_bytes), std::uint64_t(largest) / 12 - 1);
+    return std::min(std::uint64_t(megabytes * 1e6 / node_bytes), largest_block() / 12 - 1);
+  }
+
+  static std::uint64_t largest_block() {
+    GLint64 bytes = 0;
+    glGetInteger64v(GL_MAX_SHADER_STORAGE_BLOCK_SIZE, &bytes);
+    return std::uint64_t(bytes);
   }
 
   /// How many fragments there were.
@@ -49,7 +51,9 @@ class FragmentLists {
     }
     const glm::ivec2 size = frame.size();
     const std::size_t head_bytes = (std::size_t(size.x) * std::size_t(size.y) + 1) * sizeof(GLuint);
-    if (heads_.size() != head_bytes) heads_ = lumen::gl::Buffer(head_bytes);
+    if (head_bytes > largest_block())
+      throw lumen::Error("a picture of " + std::to_string(size.x) + "x" + std::to_string(size.y), "this driver has no buffer for so many lists", "draw a smaller one");
+    if (heads_.size() < head_bytes) heads_ = lumen::gl::Buffer(head_bytes);
     const GLuint none = 0;
     glClearNamedBufferData(heads_.name(), GL_R32UI, GL_RED_INTEGER, GL_UNSIGNED_INT, &none);
     glBindBufferBase(GL_SHADER_STORAGE_BUFFER, 10, heads_.name());

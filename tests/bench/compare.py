@@ -29,6 +29,7 @@ def parse_arguments():
     parser.add_argument("--ssao", type=int, nargs="?", const=64, default=0, metavar="SAMPLES",
                         help="with screen-space ambient occlusion, blurred, of so many samples (alone: 64)")
     parser.add_argument("--frame-only", action="store_true", help="leave out whole processes, and f3d")
+    parser.add_argument("--transparent", action="store_true", help="everything at opacity .4: weighted sums, and exact against VTK's 8 dual peels")
     return parser.parse_args()
 
 
@@ -131,6 +132,30 @@ def phantom(program, folder, triangles):
     return mesh
 
 
+def compare_transparency(arguments, program, vtk, scene, display):
+    """Frames of transparent surfaces, by weighted sums and exactly."""
+    session = json.loads(scene.read_text())
+    session["plugins"]["opacity"] = {"type": "opacity.constant", "alpha": 0.4}
+    session["plugins"]["surface"]["opacity"] = "opacity"
+    scenes = {}
+    for case, technique in {"weighted": "weighted", "exact": "linked_list"}.items():
+        session["plugins"]["technique"] = {"type": "transparency." + technique}
+        session["views"]["main"]["transparency"] = "technique"
+        scenes[case] = scene.with_name(case + ".json")
+        scenes[case].write_text(json.dumps(session))
+    frames = {(who, case): [] for who in ("ours", "theirs") for case in scenes}
+    for _ in range(arguments.turns):
+        for case, file in scenes.items():
+            ours = output_of([program, "bench", file, "--size", arguments.size, "--frames", arguments.frames, "--json"])
+            theirs = output_of(vtk + [arguments.frames, "--transparent", case], display)
+            frames["ours", case].append(json.loads(ours)["frame"]["median_ms"])
+            frames["theirs", case].append(json.loads(theirs)["frame"]["median_ms"])
+    for case in scenes:
+        frame, frame_vtk = (statistics.median(frames[who, case]) for who in ("ours", "theirs"))
+        turns = sorted(ours / theirs for ours, theirs in zip(frames["ours", case], frames["theirs", case]))
+        print(f"{case:12} {frame:8.1f} ms   VTK {frame_vtk:8.1f} ms   ratio {statistics.median(turns):.2f} ({turns[0]:.2f} to {turns[-1]:.2f} by turn)")
+
+
 def compare_frames(arguments, folder, mesh, program, display):
     width, height = arguments.size.split("x")
     peer = arguments.build / "bin/vtk-peer"
@@ -140,6 +165,9 @@ def compare_frames(arguments, folder, mesh, program, display):
     vtk = [peer, mesh, width, height]
     camera = json.loads(output_of(vtk + [1], display))
     scene = session_of(mesh, folder, arguments.ssao, camera)
+    if arguments.transparent:
+        compare_transparency(arguments, program, vtk, scene, display)
+        return
     ours, theirs = [], []
     for _ in range(arguments.turns):
         ours.append(json.loads(output_of([program, "bench", scene, "--size", arguments.size, "--frames", arguments.frames, "--json"])))
@@ -192,7 +220,7 @@ def main():
         folder = pathlib.Path(name)
         mesh = pathlib.Path(arguments.mesh).resolve() if arguments.mesh else phantom(program, folder, arguments.triangles)
         compare_frames(arguments, folder, mesh, program, display)
-        if not arguments.frame_only:
+        if not (arguments.frame_only or arguments.transparent):
             compare_processes(arguments, folder, mesh, program, display)
 
 

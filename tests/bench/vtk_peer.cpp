@@ -1,5 +1,5 @@
 /// The peer of `lumenshop bench`: draws a mesh off screen with VTK, the camera turned by half a degree each frame.
-///   vtk-peer FILE WIDTH HEIGHT FRAMES [--ssao SAMPLES]
+///   vtk-peer FILE WIDTH HEIGHT FRAMES [--ssao SAMPLES | --transparent weighted|exact]
 /// Prints the quartiles of a frame in milliseconds, the camera and the peak memory as JSON. Debian's VTK needs an X server: xvfb-run.
 #include <algorithm>
 #include <chrono>
@@ -13,21 +13,29 @@
 
 #include <vtkActor.h>
 #include <vtkCamera.h>
+#include <vtkCameraPass.h>
+#include <vtkDualDepthPeelingPass.h>
 #include <vtkLight.h>
+#include <vtkLightsPass.h>
 #include <vtkNew.h>
 #include <vtkOBJReader.h>
+#include <vtkOpaquePass.h>
+#include <vtkOrderIndependentTranslucentPass.h>
 #include <vtkPLYReader.h>
 #include <vtkPolyData.h>
 #include <vtkPolyDataMapper.h>
 #include <vtkPolyDataNormals.h>
 #include <vtkPolyDataReader.h>
 #include <vtkProperty.h>
+#include <vtkRenderPassCollection.h>
 #include <vtkRenderStepsPass.h>
 #include <vtkRenderWindow.h>
 #include <vtkRenderer.h>
 #include <vtkSSAOPass.h>
 #include <vtkSTLReader.h>
+#include <vtkSequencePass.h>
 #include <vtkSmartPointer.h>
+#include <vtkTranslucentPass.h>
 #include <vtkXMLPolyDataReader.h>
 
 namespace {
@@ -65,9 +73,39 @@ void add_light(vtkRenderer* renderer, double x, double y, double z, double inten
   renderer->AddLight(light);
 }
 
+/// Everything is transparent: by weighted sums, or by eight dual depth peels.
+void make_transparent(vtkRenderer* renderer, vtkActor* actor, const std::string& technique) {
+  actor->GetProperty()->SetOpacity(0.4);
+  actor->ForceTranslucentOn();
+  vtkNew<vtkTranslucentPass> surfaces;
+  vtkNew<vtkRenderPassCollection> passes;
+  vtkNew<vtkLightsPass> lights;
+  vtkNew<vtkOpaquePass> opaque;
+  passes->AddItem(lights);
+  passes->AddItem(opaque);
+  if (technique == "exact") {
+    vtkNew<vtkDualDepthPeelingPass> peeling;
+    peeling->SetTranslucentPass(surfaces);
+    peeling->SetMaximumNumberOfPeels(8);
+    peeling->SetOcclusionRatio(0);
+    passes->AddItem(peeling);
+  } else if (technique == "weighted") {
+    vtkNew<vtkOrderIndependentTranslucentPass> weighted;
+    weighted->SetTranslucentPass(surfaces);
+    passes->AddItem(weighted);
+  } else {
+    throw std::runtime_error(technique + ": no such transparency");
+  }
+  vtkNew<vtkSequencePass> sequence;
+  sequence->SetPasses(passes);
+  vtkNew<vtkCameraPass> camera;
+  camera->SetDelegatePass(sequence);
+  renderer->SetPass(camera);
+}
+
 double at(const std::vector<double>& sorted, double fraction) { return sorted[std::size_t(fraction * double(sorted.size() - 1) + 0.5)]; }
 
-int run(const std::string& file, int width, int height, int frames, int ssao_samples) {
+int run(const std::string& file, int width, int height, int frames, int ssao_samples, const std::string& transparency) {
   const auto mesh = read(file);
   vtkNew<vtkPolyDataMapper> mapper;
   mapper->SetInputData(mesh);
@@ -93,6 +131,8 @@ int run(const std::string& file, int width, int height, int frames, int ssao_sam
     pass->BlurOn();
     renderer->SetPass(pass);
   }
+
+  if (!transparency.empty()) make_transparent(renderer, actor, transparency);
 
   vtkNew<vtkRenderWindow> window;
   window->SetOffScreenRendering(true);
@@ -136,11 +176,13 @@ int run(const std::string& file, int width, int height, int frames, int ssao_sam
 
 int main(int argument_count, char** arguments) {
   if (argument_count < 5 || argument_count == 6) {
-    std::fputs("usage: vtk-peer FILE WIDTH HEIGHT FRAMES [--ssao SAMPLES]\n", stderr);
+    std::fputs("usage: vtk-peer FILE WIDTH HEIGHT FRAMES [--ssao SAMPLES | --transparent weighted|exact]\n", stderr);
     return 2;
   }
   try {
-    return run(arguments[1], std::atoi(arguments[2]), std::atoi(arguments[3]), std::atoi(arguments[4]), argument_count > 6 ? std::atoi(arguments[6]) : 0);
+    const std::string option = argument_count > 6 ? arguments[5] : "", value = argument_count > 6 ? arguments[6] : "";
+    return run(arguments[1], std::atoi(arguments[2]), std::atoi(arguments[3]), std::atoi(arguments[4]), option == "--ssao" ? std::atoi(value.c_str()) : 0,
+               option == "--transparent" ? value : "");
   } catch (const std::exception& error) {
     std::fprintf(stderr, "vtk-peer: %s\n", error.what());
     return 1;

@@ -26,7 +26,7 @@ struct Surface : lumen::Renderer {
   lumen::Style style{this};
   lumen::Property<lumen::Reference> splitter{this, "splitter", {}, {.doc = "cuts the surface in parts; none: whole", .group = "Shading", .accepts = "splitter"}};
   lumen::Property<std::string> color_by{this, "color_by", {}, {.doc = "name of the array that gives the diffuse color; empty: the material's", .group = "Color by array"}};
-  lumen::Property<bool> colored{this, "colored", false, {.doc = "show the array's colors; follows color_by unless set", .group = "Color by array", .when = "color_by"}};
+  lumen::Property<bool> colored{this, "colored", false, {.doc = "show the array's colors; follows color_by unless set", .group = "Color by array", .when = "color_by", .constant = true}};
   lumen::Property<lumen::TransferFunction> color_map{this, "color_map", viridis({0, 1}), {.doc = "value to color; spans the array's range unless set", .group = "Color by array", .when = "colored"}};
 
   lumen::Bounds bounds() const override {

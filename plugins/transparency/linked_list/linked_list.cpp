@@ -8,7 +8,7 @@ namespace {
 struct LinkedList : lumen::Transparency {
   using Transparency::Transparency;
 
-  lumen::Property<float> memory{this, "memory", 128.0f, {.min = 1, .max = 1024, .unit = "MB", .doc = "what the fragments may take, 20 bytes each; those that find no room are counted and missing", .logarithmic = true}};
+  lumen::Property<float> memory{this, "memory", 128.0f, {.min = 1, .max = FragmentLists::most_megabytes, .unit = "MB", .doc = "what the fragments may take, 20 bytes each; those that find no room are counted and missing", .logarithmic = true}};
 
   lumen::Writes transparent{this, "transparent", lumen::Format::RGBA32F};
 

@@ -8,7 +8,7 @@ namespace {
 struct Weighted : lumen::Transparency {
   using Transparency::Transparency;
 
-  lumen::Property<lumen::Choice> weight{this, "weight", {"normalized"}, {.doc = "how depth weighs: over the transparent surfaces' extent, not at all, or equations 7 to 10 of the paper, which want depths of 0.1 to 500", .choices = {"normalized", "none", "eq7", "eq8", "eq9", "eq10"}}};
+  lumen::Property<lumen::Choice> weight{this, "weight", {"normalized"}, {.doc = "how depth weighs: over the transparent surfaces' extent, not at all, or equations 7 to 10 of the paper, which want depths of 0.1 to 500", .choices = {"normalized", "none", "eq7", "eq8", "eq9", "eq10"}, .constant = true}};
   lumen::Property<float> decay{this, "decay", 4.0f, {.min = 0, .max = 20, .doc = "how strongly near surfaces outweigh far ones: exp(-decay z), z = 0 at the nearest, 1 at the farthest", .when = "weight = normalized"}};
 
   lumen::Writes transparent{this, "transparent", lumen::Format::RGBA32F};
