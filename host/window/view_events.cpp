@@ -58,7 +58,8 @@ void ViewPanel::take_events(const Context& context, bool hovered) {
         }
         break;
       case WindowEvent::Type::focus:
-        if (!event.down) input_.let_go();
+        // The button may come up elsewhere: who holds a drag is told that it ended.
+        if (!event.down && input_.captured()) input_.send(event_at(InputEvent::Type::release, event));
         break;
       case WindowEvent::Type::key: case WindowEvent::Type::character: case WindowEvent::Type::drop: case WindowEvent::Type::close: break;
     }

@@ -59,7 +59,8 @@ class Interactor : public Plugin {
   virtual bool input(const InputEvent& event, ViewInput& view) { (void)event; (void)view; return false; }
   /// Once per frame while animate() was asked for.
   virtual void tick(ViewInput& view) { (void)view; }
-  /// Draws over the finished picture (layer `color`), which the frame's default target is.
+  /// Draws over the finished picture: reads it as layer `color` and writes it anew as `color`. Called while the plugin declares
+  /// Writes; those of a moment (a std::optional) cost nothing else.
   virtual void draw(Frame& frame) { (void)frame; }
 };
 

@@ -6,7 +6,7 @@
 /// The layers of every view (all of the opaque scene, except the last two):
 ///   depth     eye-space distance along the view axis, world units, background +inf   1 channel
 ///   normal    view space, facing the eye, unit; background 0                         3
-///   position  view space, world units                                                3
+///   position  view space, world units (an image of it, `--layer position`, holds world space)   3
 ///   albedo    linear diffuse color                                                   3
 ///   ambient, diffuse, specular   radiance                                            3
 ///   occlusion 1 - visibility                                                         1
@@ -14,6 +14,8 @@
 ///   color     lit opaque scene, associated alpha = coverage                          4
 ///   transparent  associated color over the opaque scene                              4
 ///   opacity   1 - prod(1 - a) of the transparent surfaces                            1
+///
+/// A declaration made or ended between two frames (a std::optional<Writes>, in changed()) counts from the next one on.
 #pragma once
 
 #include <string>
@@ -31,10 +33,14 @@ class Reads {
  public:
   /// `border`: pixels beyond the viewport that the owner looks at.
   Reads(Plugin* owner, std::string layer, int border = 0);
+  ~Reads();
+  Reads(const Reads&) = delete;
+  Reads& operator=(const Reads&) = delete;
   const std::string& layer() const { return layer_; }
   int border() const { return border_; }
 
  private:
+  Plugin* owner_;
   std::string layer_;
   int border_;
 };
@@ -43,10 +49,14 @@ class Reads {
 class Writes {
  public:
   Writes(Plugin* owner, std::string layer, Format format);
+  ~Writes();
+  Writes(const Writes&) = delete;
+  Writes& operator=(const Writes&) = delete;
   const std::string& layer() const { return layer_; }
   Format format() const { return format_; }
 
  private:
+  Plugin* owner_;
   std::string layer_;
   Format format_;
 };

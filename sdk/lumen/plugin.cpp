@@ -33,8 +33,11 @@ Observer::Observer(Plugin* owner, std::string property) : owner_(owner), propert
 }
 Observer::~Observer() { owner_->binding().observe(property_, -1); }
 
-Reads::Reads(Plugin* owner, std::string layer, int border) : layer_(std::move(layer)), border_(border) { owner->reads_.push_back(this); }
-Writes::Writes(Plugin* owner, std::string layer, Format format) : layer_(std::move(layer)), format_(format) { owner->writes_.push_back(this); }
+Reads::Reads(Plugin* owner, std::string layer, int border) : owner_(owner), layer_(std::move(layer)), border_(border) { owner_->reads_.push_back(this); }
+Reads::~Reads() { std::erase(owner_->reads_, this); }
+
+Writes::Writes(Plugin* owner, std::string layer, Format format) : owner_(owner), layer_(std::move(layer)), format_(format) { owner_->writes_.push_back(this); }
+Writes::~Writes() { std::erase(owner_->writes_, this); }
 
 int channels_of(Format format) {
   switch (format) {

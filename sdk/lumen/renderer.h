@@ -1,8 +1,8 @@
 /// Renderers: data becomes layers.
 ///
 /// The shader of a renderer has two parts, after lines `#pragma stage vertex` and `#pragma stage fragment`:
-///   void vertex(Properties p)       sets gl_Position, with split() and project() of lib/geometry.glsl
-///   Surface surface(Properties p)   the surface at this fragment, or discard
+///   void vertex(Properties p)                     sets gl_Position, with split() and project() of lib/geometry.glsl
+///   void surface(Properties p, inout Surface s)   fills in the surface at this fragment, or discards
 /// The host adds what becomes of the fragment: layers, light, a transparency's store, an id.
 #pragma once
 

@@ -213,6 +213,39 @@ TEST_F(Interactors, TheLightTurnsWithLHeldAlone) {
   EXPECT_NEAR(glm::length(light->light(orbit->camera()).direction), 1, 1e-5f);
 }
 
+TEST_F(Interactors, TheLightShowsItsSphereWhileItTurnsAndSavesNothingOfIt) {
+  FakeView view(*orbit);
+  EXPECT_TRUE(light->writes().empty());
+  InputEvent event{.type = Type::press, .button = Button::left, .position = {400, 300}, .held = "L"};
+  ASSERT_TRUE(light->input(event, view));
+  session->update();
+  EXPECT_TRUE(value<bool>("light.sphere"));
+  ASSERT_EQ(light->writes().size(), 1u);
+  EXPECT_EQ(light->writes()[0]->layer(), "color");
+  event.type = Type::release;
+  light->input(event, view);
+  session->update();
+  EXPECT_FALSE(value<bool>("light.sphere"));
+  EXPECT_FALSE(is_set("light.sphere"));
+  EXPECT_TRUE(light->writes().empty() && light->reads().empty()) << "it takes no part in the picture";
+}
+
+TEST_F(Interactors, AKeyShowsTheLightsSphereForAMoment) {
+  FakeView view(*orbit);
+  view.now = 5;
+  ASSERT_TRUE(light->input({.type = Type::key, .key = "6", .held = "L"}, view));
+  EXPECT_TRUE(value<bool>("light.sphere"));
+  view.now = 5.5;
+  view.animated = false;
+  light->tick(view);
+  EXPECT_TRUE(view.animated);
+  view.now = 6;
+  view.animated = false;
+  light->tick(view);
+  EXPECT_FALSE(view.animated);
+  EXPECT_FALSE(value<bool>("light.sphere"));
+}
+
 TEST_F(Interactors, AnAttachedLightFollowsTheEye) {
   session->set("light.attached", Value(true));
   session->set("light.direction", Value(glm::vec3(0, 0, 1)));

@@ -1,6 +1,7 @@
-/// A light: directional or a point, turned by dragging with L held (quaternions, as the arcball turns).
+/// A light: directional or a point, turned by dragging with L held (quaternions, as the arcball turns); a sphere shows it then.
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 #include <lumen/arcball.h>
 #include <lumen/interactor.h>
@@ -10,9 +11,17 @@ namespace {
 using namespace lumen;
 
 constexpr float key_degrees = 15;
+constexpr double shown_after_key = 0.7;  // seconds
+
+/// What the sphere is drawn with: only while it is declared does the light take part in the picture.
+struct SphereLayers {
+  explicit SphereLayers(Plugin* owner) : read(owner, "color"), written(owner, "color", Format::RGBA16F) {}
+  Reads read;
+  Writes written;
+};
 
 struct LightSource : Interactor {
-  using Interactor::Interactor;
+  explicit LightSource(Binding& binding) : Interactor(binding) { changed(sphere.id()); }
 
   Property<Choice> type_of_light{this, "kind", Choice{"directional"}, {.doc = "parallel light from far away, or light from a point", .choices = {"directional", "point"}}};
   // Over the left shoulder of the camera's default view, which looks along +y with z up.
@@ -22,6 +31,7 @@ struct LightSource : Interactor {
   Property<float> intensity{this, "intensity", 1.0f, {.min = 0, .max = 100, .doc = "times the color"}};
   Property<Choice> falloff{this, "falloff", Choice{"none"}, {.doc = "what the light is divided by: nothing, the distance, its square", .when = "kind = point", .choices = {"none", "linear", "quadratic"}}};
   Property<bool> attached{this, "attached", false, {.doc = "direction and position are the eye's, not the world's: the light goes along with the camera"}};
+  Property<bool> sphere{this, "sphere", false, {.doc = "a sphere over the picture shows where the light shines from; by itself while L turns it", .advanced = true}};
 
   bool is_light() const override { return true; }
 
@@ -43,19 +53,49 @@ struct LightSource : Interactor {
         held_ = event.held == "L" && event.button == InputEvent::Button::left;
         start_ = is_point() ? *position : *direction;
         start_position_ = event.position;
+        if (held_) sphere.set_default(true);
         return held_;
       case InputEvent::Type::move:
         if (held_) turn(arcball(start_position_, event.position, view.size()), view.camera());
         return held_;
-      case InputEvent::Type::release: return std::exchange(held_, false);
+      case InputEvent::Type::release:
+        if (held_) sphere.set_default(false);
+        return std::exchange(held_, false);
       case InputEvent::Type::key: return event.held == "L" && key(event, view);
       case InputEvent::Type::wheel: case InputEvent::Type::double_click: return false;
     }
     return false;
   }
 
+  /// Takes the sphere away a while after a key turned the light.
+  void tick(ViewInput& view) override {
+    if (held_ || !*sphere) return;
+    if (view.time() < hidden_at_) view.animate();
+    else sphere.set_default(false);
+  }
+
+  void changed(std::string_view property) override {
+    if (property != sphere.id()) return;
+    if (*sphere) layers_.emplace(this);
+    else layers_.reset();
+  }
+
+  void draw(Frame& frame) override {
+    const glm::vec4 toward(toward_in_eye_space(frame.camera()), 0);
+    const gl::Texture& texture = frame.scratch("toward", Format::RGBA32F, {1, 1});
+    texture.upload(&toward.x);
+    frame.fullscreen("interactor/light.glsl", {.inputs = {{"toward", &texture}}});
+  }
+
  private:
   bool is_point() const { return type_of_light.get() == "point"; }
+
+  /// Unit; of a point, from what it turns about.
+  glm::vec3 toward_in_eye_space(const Camera& camera) const {
+    const Light now = light(camera);
+    const glm::vec3 toward = glm::mat3(camera.view) * (now.point ? now.position - camera.pivot : now.direction);
+    return glm::dot(toward, toward) > 0 ? glm::normalize(toward) : glm::vec3(0, 0, 1);
+  }
 
   /// Turns what was there at the press by an eye-space rotation: a direction about the origin, a point about the pivot.
   void turn(const glm::quat& rotation, const Camera& camera) {
@@ -73,10 +113,15 @@ struct LightSource : Interactor {
     if (axis == glm::vec3(0)) return false;
     start_ = is_point() ? *position : *direction;
     turn(glm::angleAxis(glm::radians(key_degrees), axis), view.camera());
+    sphere.set_default(true);
+    hidden_at_ = view.time() + shown_after_key;
+    view.animate();
     return true;
   }
 
+  std::optional<SphereLayers> layers_;
   bool held_ = false;
+  double hidden_at_ = 0;
   glm::vec3 start_{0};
   glm::vec2 start_position_{0};
 };
