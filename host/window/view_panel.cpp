@@ -114,14 +114,21 @@ void ViewPanel::refresh(bool editing) {
   if (!view) return;
   const double now = GlfwWindow::time();
   const std::uint64_t revision = workshop_.session().revision();
+  const bool changed = revision != drawn_revision_;
   // Only what a person moves may be coarse for a moment; a job's result or a reload is drawn whole.
-  if (revision != drawn_revision_ && (editing || input_.captured() || input_.animating() || wheeled_)) resolution_.changed(now);
+  if (changed && (editing || input_.captured() || input_.animating() || wheeled_)) resolution_.changed(now);
   drawn_revision_ = revision;
   wheeled_ = false;
   divider_ = resolution_.divider(now);
+  const glm::ivec2 size = glm::max((size_ + divider_ - 1) / divider_, glm::ivec2(1));
+  if (!changed && size == view->size() && resolution_.moving(now)) {
+    // Nothing but a refinement would run, and the next move would have to wait for it.
+    unfinished_ = view->unfinished();
+    return;
+  }
   try {
     failure_.clear();
-    view->resize(glm::max((size_ + divider_ - 1) / divider_, glm::ivec2(1)));
+    view->resize(size);
     const double begin = GlfwWindow::time();
     if (view->draw()) {
       const Instance* instance = workshop_.session().find(view_);
