@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include <imgui_internal.h>
 
@@ -77,6 +78,15 @@ void draw_value(ImVec2 min, ImVec2 max, double value, const NumberRange& range, 
   }
 }
 
+template <class T>
+Edit narrow_field(const char* id, T& value, const NumberRange& range, float width, const FieldStyle& style) {
+  using Limits = std::numeric_limits<T>;
+  double number = value;
+  const Edit edit = number_field(id, number, range, width, style);
+  if (edit.changed) value = static_cast<T>(std::clamp(number, double(Limits::lowest()), double(Limits::max())));
+  return edit;
+}
+
 }  // namespace
 
 void field_frame(ImVec2 min, ImVec2 max, bool hovered, const FieldStyle& style) {
@@ -142,6 +152,14 @@ Edit number_field(const char* id, double& value, const NumberRange& range, float
     draw_value(box.Min, box.Max, value, range, style);
   }
   return edit;
+}
+
+Edit number_field(const char* id, float& value, const NumberRange& range, float width, const FieldStyle& style) {
+  return narrow_field(id, value, range, width, style);
+}
+
+Edit number_field(const char* id, int& value, const NumberRange& range, float width, const FieldStyle& style) {
+  return narrow_field(id, value, range, width, style);
 }
 
 }  // namespace lumen::ui

@@ -25,5 +25,8 @@ void field_frame(ImVec2 min, ImVec2 max, bool hovered, const FieldStyle& style);
 
 /// `width` pixels wide, one row high.
 Edit number_field(const char* id, double& value, const NumberRange& range, float width, const FieldStyle& style = {});
+/// What is typed beyond the type becomes its nearest value.
+Edit number_field(const char* id, float& value, const NumberRange& range, float width, const FieldStyle& style = {});
+Edit number_field(const char* id, int& value, const NumberRange& range, float width, const FieldStyle& style = {});
 
 }  // namespace lumen::ui

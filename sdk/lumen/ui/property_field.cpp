@@ -1,7 +1,6 @@
 #include <lumen/ui/property_field.h>
 
 #include <cmath>
-#include <type_traits>
 
 #include <lumen/ui/color.h>
 #include <lumen/ui/look.h>
@@ -21,15 +20,9 @@ struct Control {
   NumberRange range;
   float width;
 
-  Edit number(auto& value) const {
-    double number = value;
-    const Edit edit = number_field("field", number, range, width, style);
-    if (edit.changed) value = static_cast<std::remove_reference_t<decltype(value)>>(number);
-    return edit;
-  }
   Edit operator()(bool& value) const { return check_field("field", value, style); }
-  Edit operator()(int& value) const { return number(value); }
-  Edit operator()(float& value) const { return number(value); }
+  Edit operator()(int& value) const { return number_field("field", value, range, width, style); }
+  Edit operator()(float& value) const { return number_field("field", value, range, width, style); }
   Edit operator()(glm::vec2& value) const { return vector_field("field", {&value.x, 2}, range, width, "xyzw", style); }
   Edit operator()(glm::vec3& value) const { return vector_field("field", {&value.x, 3}, range, width, "xyzw", style); }
   Edit operator()(glm::vec4& value) const { return vector_field("field", {&value.x, 4}, range, width, "xyzw", style); }

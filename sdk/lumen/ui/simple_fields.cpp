@@ -137,15 +137,12 @@ Edit vector_field(const char* id, std::span<float> values, const NumberRange& ra
   const float each = stacked ? width : (width - gap * (count - 1)) / count;
   for (std::size_t index = 0; index < values.size(); ++index) {
     if (index > 0 && !stacked) ImGui::SameLine(0, gap);
-    double number = values[index];
     FieldStyle part = style;
     if (part.source.empty() && index < prefixes.size()) part.prefix = prefixes.substr(index, 1);
     if (!stacked && index + 1 < values.size()) part.unit = {};
     ImGui::PushID(static_cast<int>(index));
-    const Edit one = number_field("component", number, range, each, part);
+    edit |= number_field("component", values[index], range, each, part);
     ImGui::PopID();
-    if (one.changed) values[index] = static_cast<float>(number);
-    edit |= one;
   }
   ImGui::EndGroup();
   ImGui::PopID();
@@ -185,21 +182,11 @@ Edit path_field(const char* id, std::string& file, float width, bool failed) {
 }
 
 Edit list_field(const char* id, std::vector<int>& values, const NumberRange& range, float width) {
-  return rows_of<int>(id, values, width, 0, [&](int& value, float room) {
-    double number = value;
-    const Edit edit = number_field("value", number, range, room);
-    if (edit.changed) value = static_cast<int>(number);
-    return edit;
-  });
+  return rows_of<int>(id, values, width, 0, [&](int& value, float room) { return number_field("value", value, range, room); });
 }
 
 Edit list_field(const char* id, std::vector<float>& values, const NumberRange& range, float width) {
-  return rows_of<float>(id, values, width, 0.0f, [&](float& value, float room) {
-    double number = value;
-    const Edit edit = number_field("value", number, range, room);
-    if (edit.changed) value = static_cast<float>(number);
-    return edit;
-  });
+  return rows_of<float>(id, values, width, 0.0f, [&](float& value, float room) { return number_field("value", value, range, room); });
 }
 
 Edit list_field(const char* id, std::vector<std::string>& values, float width) {

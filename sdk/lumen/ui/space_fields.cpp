@@ -106,12 +106,9 @@ Edit matrix_field(const char* id, glm::mat4& matrix, float width, const FieldSty
     for (int row = 0; row < 4; ++row) {
       for (int column = 0; column < 4; ++column) {
         if (column > 0) ImGui::SameLine(0, gap);
-        double number = matrix[column][row];
         ImGui::PushID(row * 4 + column);
-        const Edit one = number_field("entry", number, {}, each, style);
+        edit |= number_field("entry", matrix[column][row], {}, each, style);
         ImGui::PopID();
-        if (one.changed) matrix[column][row] = static_cast<float>(number);
-        edit |= one;
       }
     }
   }
