@@ -2,6 +2,7 @@
 #pragma once
 
 #include <chrono>
+#include <functional>
 
 #include <gtest/gtest.h>
 #include <poll.h>
@@ -67,19 +68,25 @@ class ReloadScene : public testing::Test {
     return found->read(slot);
   }
 
-  /// Waits for what the descriptor announces, until `count` events came or three seconds went.
-  std::vector<ReloadEvent> events(Reloader& reloader, std::size_t count = 1) {
-    std::vector<ReloadEvent> all;
+  /// Lets the reloader work, whenever its descriptor announces something, until `done`; false after the patience.
+  template <class Condition> static bool poll_until(Reloader& reloader, const Condition& done, const std::function<void(ReloadEvent)>& take = [](ReloadEvent) {}) {
     const auto end = std::chrono::steady_clock::now() + std::chrono::seconds(patience);
-    while (all.size() < count && std::chrono::steady_clock::now() < end) {
+    while (!done() && std::chrono::steady_clock::now() < end) {
       pollfd waited{reloader.descriptor(), POLLIN, 0};
       ::poll(&waited, 1, 50);
-      for (ReloadEvent& event : reloader.poll()) all.push_back(std::move(event));
+      for (ReloadEvent& event : reloader.poll()) take(std::move(event));
     }
+    return done();
+  }
+
+  /// Waits for what the descriptor announces, until `count` events came; only a failure waits for the whole patience.
+  std::vector<ReloadEvent> events(Reloader& reloader, std::size_t count = 1) {
+    std::vector<ReloadEvent> all;
+    poll_until(reloader, [&] { return all.size() >= count; }, [&](ReloadEvent event) { all.push_back(std::move(event)); });
     return all;
   }
 
-  int patience = 3;   ///< seconds
+  static constexpr int patience = 120;   ///< seconds
   const Installation installation = Installation::find();
   const fs::path folder = make_folder();
   const fs::path library = folder / "plugins/ambient.subject.so";

@@ -119,9 +119,7 @@ TEST_F(Reload, IsTheSameAfterAHundred) {
 
 TEST_F(Reload, ComesByItselfWhenTheFileIsReplaced) {
   put("second");
-  const auto begin = std::chrono::steady_clock::now();
   const std::vector<ReloadEvent> seen = events(reloader);
-  RecordProperty("milliseconds", static_cast<int>(std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - begin).count()));
   ASSERT_EQ(seen.size(), 1u);
   EXPECT_EQ(seen[0].library, "ambient.subject");
   EXPECT_EQ(seen[0].state, BuildState::loaded);
@@ -152,29 +150,20 @@ TEST_F(Reload, LoadsALibraryThatIsNew) {
 
 TEST_F(Reload, TellsOfShadersHoweverTheyAreSaved) {
   const fs::path shader = folder / "shaders/ambient/subject.glsl";
-  const auto wait = [&](std::size_t count) {
-    const auto end = std::chrono::steady_clock::now() + std::chrono::seconds(3);
-    while (frame.shaders.size() < count && std::chrono::steady_clock::now() < end) {
-      pollfd waited{reloader.descriptor(), POLLIN, 0};
-      ::poll(&waited, 1, 50);
-      reloader.poll();
-    }
-  };
+  const auto wait = [&](std::size_t count) { return poll_until(reloader, [&] { return frame.shaders.size() >= count; }); };
   std::ofstream(shader) << "in place";
-  const auto begin = std::chrono::steady_clock::now();
-  wait(1);
-  EXPECT_LT(std::chrono::steady_clock::now() - begin, std::chrono::milliseconds(200));
+  ASSERT_TRUE(wait(1));
   EXPECT_EQ(frame.shaders, (std::vector<fs::path>{shader}));
 
   std::ofstream(folder / "shaders/ambient/4913~") << "an editor's own";
   std::ofstream(folder / "shaders/ambient/subject.glsl.new") << "by rename";
   fs::rename(folder / "shaders/ambient/subject.glsl.new", shader);
-  wait(2);
+  ASSERT_TRUE(wait(2));
   EXPECT_EQ(frame.shaders, (std::vector<fs::path>{shader, shader}));
 
   fs::create_directories(folder / "shaders/diffuse/deep");
   std::ofstream(folder / "shaders/diffuse/deep/new.glsl") << "in a new folder";
-  wait(3);
+  ASSERT_TRUE(wait(3));
   EXPECT_EQ(frame.shaders.back(), folder / "shaders/diffuse/deep/new.glsl");
 }
 
@@ -184,13 +173,7 @@ TEST_F(Reload, SeesShadersAgainWhenTheirFolderWasReplaced) {
   fs::create_directories(folder / "shaders/ambient");
   reloader.poll();
   std::ofstream(folder / "shaders/ambient/subject.glsl") << "back";
-  const auto end = std::chrono::steady_clock::now() + std::chrono::seconds(3);
-  while (frame.shaders.empty() && std::chrono::steady_clock::now() < end) {
-    pollfd waited{reloader.descriptor(), POLLIN, 0};
-    ::poll(&waited, 1, 50);
-    reloader.poll();
-  }
-  EXPECT_FALSE(frame.shaders.empty());
+  EXPECT_TRUE(poll_until(reloader, [&] { return !frame.shaders.empty(); }));
 }
 
 TEST_F(Reload, IsSilentWhileNothingChanges) {
