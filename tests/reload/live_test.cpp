@@ -3,6 +3,8 @@
 #include <chrono>
 #include <cstdio>
 #include <fstream>
+#include <map>
+#include <set>
 #include <sstream>
 
 #include <epoxy/gl.h>
@@ -13,6 +15,7 @@
 #include "frame/headless.h"
 #include "frame/shader_library.h"
 #include "installation.h"
+#include "model/json_value.h"
 #include "modules/reloader.h"
 #include "window/live_frame_check.h"
 #include "workshop.h"
@@ -57,21 +60,21 @@ double resident_megabytes() {
   return double(resident) * double(::sysconf(_SC_PAGESIZE)) / 1e6;
 }
 
-class LiveReload : public testing::Test {
+class LiveScene : public testing::Test {
  protected:
-  LiveReload() {
+  LiveScene(const Json& session, const fs::path& session_folder, glm::ivec2 size) {
     fs::remove_all(folder);
     fs::create_directories(folder / "shaders/diffuse");
     workshop = std::make_unique<Workshop>(Workshop::Options{.plugin_folders = {folder}});
     context = std::make_unique<HeadlessContext>();
-    workshop->session().load(Json::parse(scene), folder);
+    workshop->session().load(session, session_folder);
     workshop->scheduler().wait();
-    view().resize({640, 512});
+    view().resize(size);
     view().finish();
     frame = std::make_unique<LiveFrameCheck>(*workshop);
     reloader = std::make_unique<Reloader>(workshop->registry(), workshop->session(), *frame, Reloader::Options{.shader_folder = {}, .build_description = {}, .build = false});
   }
-  ~LiveReload() override {
+  ~LiveScene() override {
     reloader.reset();
     workshop->close_views();
     workshop.reset();
@@ -82,7 +85,7 @@ class LiveReload : public testing::Test {
   ViewRenderer& view() { return workshop->view(); }
 
   /// Waits as the window does, for the reloader's descriptor, until a library or a shader has changed; then draws a frame.
-  std::vector<ReloadEvent> next_frame(int timeout = 3000) {
+  std::vector<ReloadEvent> next_frame(int timeout = patience) {
     const std::uint64_t shaders = workshop->shaders().revision();
     const auto begin = Clock::now();
     std::vector<ReloadEvent> events;
@@ -107,11 +110,17 @@ class LiveReload : public testing::Test {
   }
   Instance& instance(const std::string& id) { return *workshop->session().find(id); }
 
+  static constexpr int patience = 120'000;   ///< milliseconds for what must come; only a failure waits for them all
   const fs::path folder = fs::path(testing::TempDir()) / ("live-reload-" + std::to_string(::getpid()));
   std::unique_ptr<HeadlessContext> context;
   std::unique_ptr<Workshop> workshop;
   std::unique_ptr<LiveFrameCheck> frame;
   std::unique_ptr<Reloader> reloader;
+};
+
+class LiveReload : public LiveScene {
+ protected:
+  LiveReload() : LiveScene(Json::parse(scene), testing::TempDir(), {640, 512}) {}
 };
 
 /// The term's shader with another factor, written in place as editors do.
@@ -181,26 +190,80 @@ TEST_F(LiveReload, AHundredReloadsLeaveThePictureAndTheCountOfObjects) {
               resident_megabytes() - memory_before);
   EXPECT_EQ(view().picture().download(), before);
   EXPECT_EQ(objects(), objects_before);
-  for (const PassStatistics& pass : view().statistics())
+  for (const PassStatistics& pass : view().statistics()) {
     if (pass.name == "geometry") EXPECT_EQ(pass.runs, geometry_runs) << "the mesh and its layers belong to another plugin";
+  }
   Instance& ssao = instance("ssao");
   EXPECT_EQ(std::get<float>(ssao.read(ssao.slot_of("radius"))), 0.07f);
   Instance& linked = instance("bias");
   EXPECT_EQ(std::get<float>(linked.read(linked.slot_of("radius"))), 0.07f);
 }
 
-TEST_F(LiveReload, EveryPluginOfTheSessionReloads) {
-  view().finish();
-  const auto before = view().picture().download();
-  for (const char* library : {"importer.phantom", "diffuse.lambert", "specular.blinn", "occlusion.ssao", "renderer.surface", "interactor.orbit", "interactor.light"}) {
-    put(library + std::string(".so"));
+/// The session with a plugin of every kind.
+class EveryKind : public LiveScene {
+ protected:
+  EveryKind() : LiveScene(parsed(), Installation::find().sessions(), {160, 128}) {}
+  static Json parsed() {
+    std::ifstream stream(Installation::find().sessions() / "every_kind.json");
+    return Json::parse(stream);
+  }
+
+  /// The session as it would be saved; objects compare in any order.
+  nlohmann::json saved() const { return nlohmann::json::parse(workshop->session().to_json().dump()); }
+  static nlohmann::json written() { return nlohmann::json::parse(parsed().dump()); }
+
+  /// All that an instance's properties read; data by what it holds, since a new object makes it anew.
+  static std::map<std::string, std::string> values_of(const Instance& instance) {
+    std::map<std::string, std::string> values;
+    for (const auto& slot : instance.slots()) {
+      if (slot->retracted) continue;
+      const lumen::Value& value = instance.read(instance.slot_of(slot->spec.id));
+      const auto* data = std::get_if<lumen::DataPointer>(&value);
+      values[slot->spec.id] = data == nullptr ? to_json(value).dump() : *data ? (*data)->summary() : "none";
+    }
+    return values;
+  }
+  std::map<std::string, std::map<std::string, std::string>> values() const {
+    std::map<std::string, std::map<std::string, std::string>> all;
+    for (const auto& instance : workshop->session().plugins()) all[instance->id()] = values_of(*instance);
+    return all;
+  }
+  std::string library_of(const std::string& type) const {
+    for (const TypeInfo& info : workshop->registry().types())
+      if (info.id == type) return info.library.filename();
+    return {};
+  }
+};
+
+TEST_F(EveryKind, IsInTheSession) {
+  std::set<lumen::Kind> missing;
+  for (int kind = 0; kind <= static_cast<int>(lumen::Kind::editor); ++kind) missing.insert(static_cast<lumen::Kind>(kind));
+  for (const auto& instance : workshop->session().plugins()) missing.erase(instance->kind());
+  EXPECT_TRUE(missing.empty()) << lumen::name_of(*missing.begin());
+}
+
+TEST_F(EveryKind, ReloadsWithTheSamePictureAndValuesAndTheSessionComesBackAsItWasWritten) {
+  const auto picture = view().picture().download();
+  const auto before = values();
+  ASSERT_EQ(saved(), written());
+  std::set<std::string> reloaded;
+  for (const auto& [id, properties] : before) {
+    const std::string library = library_of(instance(id).type());
+    ASSERT_FALSE(library.empty()) << id;
+    if (!reloaded.insert(library).second) continue;
+    const lumen::Plugin* old = instance(id).plugin();
+    put(library);
     const auto events = next_frame();
     ASSERT_FALSE(events.empty()) << library;
-    EXPECT_EQ(events.back().state, BuildState::loaded) << library << ": " << events.back().message;
+    ASSERT_EQ(events.back().state, BuildState::loaded) << library << ": " << events.back().message;
+    EXPECT_NE(instance(id).plugin(), old) << id;
     workshop->scheduler().wait();
     view().finish();
-    EXPECT_EQ(view().picture().download(), before) << library;
+    EXPECT_EQ(view().picture().download(), picture) << library;
+    EXPECT_EQ(values(), before) << library;
   }
+  EXPECT_EQ(saved(), written());
+  for (const lumen::Problem& problem : workshop->problems()) EXPECT_EQ(problem.severity, lumen::Severity::note) << problem.message;
 }
 
 TEST_F(LiveReload, ATruncatedLibraryKeepsThePicture) {
