@@ -1,4 +1,7 @@
 /// How the host composes a frame: one lighting pass, and only what changed runs again.
+#include <array>
+#include <string>
+#include <vector>
 
 #include <gtest/gtest.h>
 #include <lumen/testing.h>
@@ -8,70 +11,60 @@ namespace {
 using lumen::testing::Pixels;
 using lumen::testing::Scene;
 
-void add_three_styles(Scene& scene) {
-  scene.add("ambient.constant", "ambient");
-  scene.add("diffuse.lambert", "lambert");
-  scene.add("specular.phong", "phong");
-  scene.add("specular.blinn", "blinn");
-  scene.surface("a", lumen::testing::moved(*lumen::testing::sphere(32, 0.3f), {-0.7f, 0, 0}), R"({"ambient": "ambient"})");
-  scene.surface("b", lumen::testing::sphere(32, 0.3f), R"({"diffuse": "lambert", "specular": "phong"})");
-  scene.surface("c", lumen::testing::moved(*lumen::testing::sphere(32, 0.3f), {0.7f, 0, 0}), R"({"diffuse": "lambert", "specular": "blinn"})");
+/// Three surfaces of three styles, with an occlusion, a background and a vignette: a pass of every sort.
+class ThreeStyles : public testing::Test {
+ protected:
+  ThreeStyles() {
+    scene.add("ambient.constant", "ambient");
+    scene.add("diffuse.lambert", "lambert");
+    scene.add("specular.phong", "phong");
+    scene.add("specular.blinn", "blinn");
+    scene.surface("a", lumen::testing::moved(*lumen::testing::sphere(32, 0.3f), {-0.7f, 0, 0}), R"({"ambient": "ambient"})");
+    scene.surface("b", lumen::testing::sphere(32, 0.3f), R"({"diffuse": "lambert", "specular": "phong"})");
+    scene.surface("c", lumen::testing::moved(*lumen::testing::sphere(32, 0.3f), {0.7f, 0, 0}), R"({"diffuse": "lambert", "specular": "blinn"})");
+    scene.add("occlusion.ssao", "ssao");
+    scene.add("compositor.background", "background");
+    scene.add("compositor.vignette", "vignette");
+    scene.picture();
+  }
+
+  /// Draws again; the passes that ran for it, in the frame's order.
+  std::vector<std::string> passes_after(const char* property, const char* value) {
+    const std::vector<int> before = runs();
+    scene.set(property, value);
+    return passes_since(before);
+  }
+  std::vector<std::string> passes_since(const std::vector<int>& before) {
+    scene.picture();
+    std::vector<std::string> ran;
+    const std::vector<int> after = runs();
+    for (std::size_t pass = 0; pass < after.size(); ++pass)
+      for (int run = before[pass]; run < after[pass]; ++run) ran.push_back(passes[pass]);
+    return ran;
+  }
+  std::vector<int> runs() const {
+    std::vector<int> counts;
+    for (const char* pass : passes) counts.push_back(scene.runs(pass));
+    return counts;
+  }
+
+  static constexpr std::array passes = {"geometry", "ssao", "lighting", "background", "vignette"};
+  Scene scene;
+};
+using Passes = std::vector<std::string>;
+
+TEST_F(ThreeStyles, AreOneLightingPass) { EXPECT_EQ(runs(), std::vector<int>(passes.size(), 1)); }
+
+TEST_F(ThreeStyles, UnchangedRunNothing) { EXPECT_EQ(passes_since(runs()), Passes{}); }
+
+TEST_F(ThreeStyles, WithAnotherVignetteRunItAlone) { EXPECT_EQ(passes_after("vignette.softness", "0.7"), Passes{"vignette"}); }
+
+TEST_F(ThreeStyles, WithAnotherLightRunLightingAndWhatFollows) {
+  EXPECT_EQ(passes_after("front.intensity", "0.5"), (Passes{"lighting", "background", "vignette"}));
 }
 
-TEST(Composition, ThreeStylesAreOneLightingPass) {
-  Scene scene;
-  add_three_styles(scene);
-  scene.picture();
-  EXPECT_EQ(scene.runs("lighting"), 1);
-  EXPECT_EQ(scene.runs("geometry"), 1);
-}
-
-TEST(Composition, UnchangedViewRunsNothing) {
-  Scene scene;
-  add_three_styles(scene);
-  scene.add("occlusion.ssao", "ssao");
-  scene.add("compositor.vignette", "vignette");
-  scene.picture();
-  const int before = scene.runs("geometry") + scene.runs("ssao") + scene.runs("lighting") + scene.runs("vignette");
-  scene.picture();
-  EXPECT_EQ(scene.runs("geometry") + scene.runs("ssao") + scene.runs("lighting") + scene.runs("vignette"), before);
-}
-
-TEST(Composition, VignetteRunsItselfAlone) {
-  Scene scene;
-  add_three_styles(scene);
-  scene.add("occlusion.ssao", "ssao");
-  scene.add("compositor.background", "background");
-  scene.add("compositor.vignette", "vignette");
-  scene.picture();
-  scene.set("vignette.softness", "0.7");
-  scene.picture();
-  EXPECT_EQ(scene.runs("vignette"), 2);
-  for (const char* pass : {"geometry", "ssao", "lighting", "background"}) EXPECT_EQ(scene.runs(pass), 1) << pass;
-}
-
-TEST(Composition, LightRunsLightingAndWhatFollows) {
-  Scene scene;
-  add_three_styles(scene);
-  scene.add("occlusion.ssao", "ssao");
-  scene.add("compositor.vignette", "vignette");
-  scene.picture();
-  scene.set("front.intensity", "0.5");
-  scene.picture();
-  EXPECT_EQ(scene.runs("lighting"), 2);
-  EXPECT_EQ(scene.runs("vignette"), 2);
-  EXPECT_EQ(scene.runs("geometry"), 1);
-  EXPECT_EQ(scene.runs("ssao"), 1);
-}
-
-TEST(Composition, MaterialColorLeavesTheGeometryAlone) {
-  Scene scene;
-  add_three_styles(scene);
-  scene.picture();
-  scene.set("b.diffuse_color", "[0, 0, 1]");
-  scene.picture();
-  EXPECT_EQ(scene.runs("geometry"), 1);
-  EXPECT_EQ(scene.runs("lighting"), 2);
+TEST_F(ThreeStyles, WithAnotherColorLeaveTheGeometryAlone) {
+  EXPECT_EQ(passes_after("b.diffuse_color", "[0, 0, 1]"), (Passes{"lighting", "background", "vignette"}));
 }
 
 TEST(Composition, InstancesOfOneTypeHaveTheirOwnValues) {
