@@ -41,11 +41,13 @@ void Session::load_data(const std::vector<std::filesystem::path>& files, const s
   const bool diffuse = put("lambert", "diffuse.lambert");
   const bool specular = put("blinn", "specular.blinn");
   Json renderers = Json::array();
+  Session importers(factory_);  // asked for what they make
   for (std::size_t i = 0; i < files.size(); ++i) {
     const std::string number = i == 0 ? "" : std::to_string(i + 1);
     const std::string importer = importer_of(files[i]);
     if (importer.empty()) throw lumen::Error(files[i].string(), "no importer reads this kind of file");
     put("data" + number, importer.c_str(), object_of({{"path", std::filesystem::absolute(files[i]).lexically_normal().string()}}));
+    if (importers.add(importer).slot_of("mesh") < 0) continue;
     Json surface = object_of({{"mesh", linked("data" + number + ".mesh")}});
     const std::pair<const char*, Json> terms[] = {
         {"ambient", reference(ambient, "ambient")}, {"diffuse", reference(diffuse, "lambert")}, {"specular", reference(specular, "blinn")}};
@@ -53,13 +55,14 @@ void Session::load_data(const std::vector<std::filesystem::path>& files, const s
       if (!id.is_null()) surface[term] = id;
     if (put("surface" + number, "renderer.surface", surface)) renderers.push_back("surface" + number);
   }
+  if (renderers.empty() && factory_.has("renderer.surface") && !files.empty())
+    throw lumen::Error(files[0].string(), "holds no surface, and is shown only where a session links to it", "name it in a session");
 
   Json lights = Json::array(), interactors = Json::array(), compositors = Json::array();
   const bool camera = put("camera", "interactor.orbit");
   if (put("front", "interactor.light", object_of({{"direction", direction(0.35, -1, 0.6)}, {"intensity", 0.8}}))) {
     put("back", "interactor.light", object_of({{"direction", direction(-0.5, 1, 0.2)}, {"intensity", 0.35}}));
-    lights = {"front", "back"};
-    interactors.push_back("front");
+    lights = interactors = {"front", "back"};
   }
   if (camera) interactors.push_back("camera");
   if (put("background", "compositor.background")) compositors.push_back("background");

@@ -234,5 +234,15 @@ TEST_F(SessionFile, MakesASessionForDataFilesAlone) {
   EXPECT_NE(bench.session.find("data2"), nullptr) << "the old contents stay";
 }
 
+TEST_F(SessionFile, SaysThatDataWithoutASurfaceHasNoViewOfItsOwn) {
+  bench.factory.script("renderer.surface", [](fakes::Scripted&) {});
+  bench.factory.script("importer.picture", [](fakes::Scripted& self) { self.add<float>("gamma", 1.0f); });
+  const std::string error = error_of([&] { bench.session.load_data({"a.png"}, [](const fs::path&) { return "importer.picture"; }); });
+  EXPECT_NE(error.find("a.png: holds no surface"), std::string::npos) << error;
+  bench.session.load_data({"one.vtp", "a.png"}, [](const fs::path& file) { return file == "a.png" ? "importer.picture" : "importer.vtk"; });
+  EXPECT_NE(bench.session.find("data2"), nullptr);
+  EXPECT_EQ(bench.session.to_json()["views"]["main"]["renderers"], Json::parse(R"(["surface"])"));
+}
+
 }  // namespace
 }  // namespace lumenshop

@@ -19,6 +19,11 @@ float linear(float encoded) { return encoded <= 0.04045f ? encoded / 12.92f : st
 /// Red, green, blue or gray, but neither alpha nor depth.
 bool is_color(const OIIO::ImageSpec& spec, int channel) { return channel != spec.alpha_channel && channel != spec.z_channel; }
 
+/// Some of its readers give no reason.
+[[noreturn]] void fail(const std::string& file, const std::string& reason) {
+  throw lumen::Error(file, "cannot be read: " + (reason.empty() ? "its contents are cut off or no picture" : reason));
+}
+
 bool is_float_map(const std::string& path) {
   char magic[3] = {};
   std::ifstream(path, std::ios::binary).read(magic, sizeof magic);
@@ -40,7 +45,7 @@ void read_picture(const lumen::WorkerRequest& request, lumen::WorkerReply& reply
     return;
   }
   const auto input = OIIO::ImageInput::open(path);
-  if (!input) throw lumen::Error(file, "cannot be read: " + OIIO::geterror());
+  if (!input) fail(file, OIIO::geterror());
   const OIIO::ImageSpec& spec = input->spec();
   constexpr int largest_side = 1 << 16, most_channels = 1024;
   constexpr std::uint64_t most_numbers = std::uint64_t{1} << 28;
@@ -52,7 +57,7 @@ void read_picture(const lumen::WorkerRequest& request, lumen::WorkerReply& reply
   progress(0.1f);
 
   std::vector<float> pixels(std::size_t(spec.width) * std::size_t(spec.height) * std::size_t(spec.nchannels));
-  if (!input->read_image(0, 0, 0, spec.nchannels, OIIO::TypeDesc::FLOAT, pixels.data())) throw lumen::Error(file, "cannot be read: " + input->geterror());
+  if (!input->read_image(0, 0, 0, spec.nchannels, OIIO::TypeDesc::FLOAT, pixels.data())) fail(file, input->geterror());
   if (!spec.format.is_floating_point())
     for (std::size_t index = 0; index < pixels.size(); ++index)
       if (is_color(spec, static_cast<int>(index % std::size_t(spec.nchannels)))) pixels[index] = linear(pixels[index]);
