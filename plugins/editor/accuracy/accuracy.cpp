@@ -39,7 +39,15 @@ struct Accuracy : Editor {
     if (running_) go_on(workbench);
     draw_buttons(workbench, candidates, truth);
     if (comparison_ == nullptr || comparison_->rows().empty()) return;
+    // Side by side where there is room.
+    const float width = ImGui::GetContentRegionAvail().x;
+    const bool beside = width > ui::look()(560);
+    if (beside) ImGui::BeginChild("rows", {0.6f * width, 0});
     draw_table();
+    if (beside) {
+      ImGui::EndChild();
+      ImGui::SameLine();
+    }
     if (!running_) draw_map();
   }
 
@@ -200,8 +208,9 @@ struct Accuracy : Editor {
       map_.linear();
       map_stale_ = false;
     }
-    const float shown_width = std::min(ImGui::GetContentRegionAvail().x, look(float(width)));
-    ImGui::Image(reinterpret_cast<ImTextureID>(std::uintptr_t(map_.name())), {shown_width, shown_width * float(height) / float(width)});
+    const ImVec2 room = ImGui::GetContentRegionAvail();
+    const float scale = std::min(room.x / float(width), std::max(room.y, look(120)) / float(height));
+    ImGui::Image(reinterpret_cast<ImTextureID>(std::uintptr_t(map_.name())), {scale * float(width), scale * float(height)});
     ui::record("difference");
     ui::tooltip("where " + rows[std::size_t(shown_)].instance + " differs from the reference; the brightest color is " + std::to_string(full_scale.get()));
   }
