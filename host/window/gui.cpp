@@ -58,6 +58,9 @@ void Gui::set_look(lumen::ui::Theme theme, float scale, bool reduced_motion) {
     load_fonts(look_);
     ImGui_ImplOpenGL3_DestroyFontsTexture();
     ImGui_ImplOpenGL3_CreateFontsTexture();
+    // Glyphs lie on whole pixels and fills read one white texel: what linear filtering gives, for a part of its time in software.
+    const auto atlas = static_cast<GLuint>(reinterpret_cast<std::intptr_t>(ImGui::GetIO().Fonts->TexID));
+    for (const GLenum filter : {GL_TEXTURE_MIN_FILTER, GL_TEXTURE_MAG_FILTER}) glTextureParameteri(atlas, filter, GL_NEAREST);
   }
   apply_imgui_style(look_);
 }

@@ -54,11 +54,11 @@ PictureTexture::PictureTexture() : vertices_(lumen::gl::VertexArray::create()) {
 
 PictureTexture::~PictureTexture() { glDeleteProgram(program_); }
 
-void PictureTexture::update(const lumen::gl::Texture& picture, bool encode, glm::vec3 canvas) {
+void PictureTexture::update(const lumen::gl::Texture& picture, bool encode, glm::vec3 canvas, bool magnified) {
   if (!texture_ || texture_.size() != picture.size()) {
     framebuffer_ = {};
     texture_ = lumen::gl::Texture(lumen::Format::RGBA8, picture.size());
-    texture_.linear();
+    if (magnified) texture_.linear();
     const lumen::gl::Texture* target = &texture_;
     framebuffer_ = lumen::gl::Framebuffer({&target, 1}, nullptr);
   }

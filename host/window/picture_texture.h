@@ -17,7 +17,7 @@ class PictureTexture {
   PictureTexture& operator=(const PictureTexture&) = delete;
 
   /// Converts `picture`: linear, associated alpha. `encode`: to sRGB; `canvas`: sRGB, behind what is transparent.
-  void update(const lumen::gl::Texture& picture, bool encode, glm::vec3 canvas);
+  void update(const lumen::gl::Texture& picture, bool encode, glm::vec3 canvas, bool magnified);
   explicit operator bool() const { return static_cast<bool>(texture_); }
   const lumen::gl::Texture& texture() const { return texture_; }
 

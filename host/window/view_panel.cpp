@@ -49,7 +49,6 @@ void ViewPanel::begin_input(const Settings& settings, const std::string& selecti
 }
 
 void ViewPanel::draw(const Context& context) {
-  const lumen::ui::Look& look = lumen::ui::look();
   place_ = context.place;
   size_ = glm::max(glm::ivec2(glm::round(place_.size())), glm::ivec2(1));
   begin_input(context.settings, context.selection);
@@ -57,9 +56,9 @@ void ViewPanel::draw(const Context& context) {
   ImGui::SetNextWindowPos({place_.min.x, place_.min.y});
   ImGui::SetNextWindowSize({place_.size().x, place_.size().y});
   ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {0, 0});
-  ImGui::PushStyleColor(ImGuiCol_WindowBg, look.colors.canvas);
+  // Without a background: the frame was cleared to the canvas.
   ImGui::Begin("##view", nullptr,
-               ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoBringToFrontOnFocus |
+               ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoBackground | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoBringToFrontOnFocus |
                    ImGuiWindowFlags_NoScrollWithMouse);
   // Claims presses on the picture, so that ImGui neither moves the window nor hands them to what lies behind.
   ImGui::InvisibleButton("picture", {place_.size().x, place_.size().y}, ImGuiButtonFlags_MouseButtonLeft | ImGuiButtonFlags_MouseButtonRight | ImGuiButtonFlags_MouseButtonMiddle);
@@ -81,7 +80,6 @@ void ViewPanel::draw(const Context& context) {
     ImGui::EndPopup();
   }
   ImGui::End();
-  ImGui::PopStyleColor();
 }
 
 void ViewPanel::draw_chips(const Context& context) {
@@ -135,7 +133,7 @@ void ViewPanel::refresh(bool editing) {
       const auto* options = instance ? instance->as<View>(lumen::Kind::view) : nullptr;
       if (!picture_) picture_ = std::make_unique<PictureTexture>();
       const ImVec4 canvas = ImGui::ColorConvertU32ToFloat4(lumen::ui::look().colors.canvas);
-      picture_->update(view->picture(), !options || options->encode_srgb, {canvas.x, canvas.y, canvas.z});
+      picture_->update(view->picture(), !options || options->encode_srgb, {canvas.x, canvas.y, canvas.z}, divider_ > 1);
       glFinish();  // llvmpipe draws when it is waited for: without this the time would be another frame's
       const double seconds = GlfwWindow::time() - begin;
       milliseconds_ = seconds * 1000;

@@ -73,7 +73,7 @@ Edit rotation_field(const char* id, glm::quat& rotation, float width, const Fiel
     const ImVec2 end(center.x + tip.x * radius * 0.75f, center.y - tip.y * radius * 0.75f);
     const ImU32 color = tip.z >= 0 ? it.colors.text : it.colors.dim;
     list->AddLine(center, end, color, std::max(1.0f, it(1.5f)));
-    list->AddText(ImGui::GetFont(), ImGui::GetFontSize() * 0.8f, {end.x + it(1), end.y - it(8)}, color, names[static_cast<std::size_t>(axis)]);
+    list->AddText({end.x + it(1), end.y - it(10)}, color, names[static_cast<std::size_t>(axis)]);
   }
   ImGui::SameLine(0, it(6));
   glm::vec3 angles = euler_of(rotation);
