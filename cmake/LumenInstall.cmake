@@ -2,6 +2,7 @@
 install(TARGETS lumenshop RUNTIME DESTINATION bin)
 install(TARGETS lumenshop-helper RUNTIME DESTINATION lib/lumenshop)
 install(TARGETS lumen LIBRARY DESTINATION lib)
+install(TARGETS lumen-section ARCHIVE DESTINATION lib)
 install(DIRECTORY sdk/lumen DESTINATION include FILES_MATCHING PATTERN "*.h")
 install(FILES ${CMAKE_BINARY_DIR}/include/lumen/abi.h DESTINATION include/lumen)
 install(DIRECTORY shaders sessions templates DESTINATION share/lumenshop)

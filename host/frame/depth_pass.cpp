@@ -5,16 +5,16 @@
 
 #include <lumen/gl/framebuffer.h>
 
-#include "frame/surface_pass.h"
+#include "frame/surface_draw.h"
 
 namespace lumenshop {
 
-void draw_depth(const FrameContext& context, const lumen::Camera& camera, const lumen::gl::Texture& depth) {
+void draw_depth(const FrameContext& context, const lumen::Camera& camera, const lumen::gl::Texture& depth, const lumen::DepthDraw& what) {
   const ViewScene& scene = context.scene;
   const ViewGeometry geometry = make_geometry(camera, {.picture = depth.size(), .size = depth.size()}, scene.bounds, scene.split_bounds, {}, 0);
   const lumen::gl::Buffer block(std::as_bytes(std::span(&geometry.block, 1)));
   const FrameContext other{context.session, context.shaders, context.values, context.shading, context.log,
-                           context.layers,  context.centers, context.scene,  geometry,        block,
+                           context.caps,    context.layers,  context.centers, context.scene,  geometry,        context.main,    block,
                            context.light_block, context.to_centers, context.geometry_key, context.light_key, context.lights, context.set};
   const lumen::gl::Texture buffer(lumen::Format::depth32F, depth.size());
   const lumen::gl::Texture* const targets[] = {&depth};
@@ -23,15 +23,17 @@ void draw_depth(const FrameContext& context, const lumen::Camera& camera, const 
   glViewport(0, 0, depth.size().x, depth.size().y);
   glDisable(GL_BLEND);
   glEnable(GL_DEPTH_TEST);
-  glDepthFunc(GL_LESS);
+  glDepthFunc(what.farthest ? GL_GREATER : GL_LESS);
   glDepthMask(GL_TRUE);
-  const float far[4] = {std::numeric_limits<float>::infinity(), 0, 0, 0}, one = 1;
-  glClearNamedFramebufferfv(target.name(), GL_COLOR, 0, far);
-  glClearNamedFramebufferfv(target.name(), GL_DEPTH, 0, &one);
+  constexpr float infinity = std::numeric_limits<float>::infinity();
+  const float nothing[4] = {what.farthest ? -infinity : infinity, 0, 0, 0}, limit = what.farthest ? 0 : 1;
+  glClearNamedFramebufferfv(target.name(), GL_COLOR, 0, nothing);
+  glClearNamedFramebufferfv(target.name(), GL_DEPTH, 0, &limit);
   const SurfaceOutput output{.name = "depth", .write = [](ProgramText& text, const Instance&) {
     text.generated("layout(location = 0) out float lumen_depth;\nvoid main() { lumen_depth = -lumen_surface().position.z; }\n");
-  }};
+  }, .what = what};
   for (const SceneSurface& surface : scene.opaque) draw_surface(other, surface, output);
+  glDepthFunc(GL_LESS);
 }
 
 }  // namespace lumenshop

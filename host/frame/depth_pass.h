@@ -5,7 +5,7 @@
 
 namespace lumenshop {
 
-/// Fills `depth` (R32F, any size) with eye distances along the camera's axis; +inf where there is nothing.
-void draw_depth(const FrameContext& context, const lumen::Camera& camera, const lumen::gl::Texture& depth);
+/// See lumen::Frame::draw_depth.
+void draw_depth(const FrameContext& context, const lumen::Camera& camera, const lumen::gl::Texture& depth, const lumen::DepthDraw& what);
 
 }  // namespace lumenshop

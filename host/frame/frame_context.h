@@ -3,6 +3,7 @@
 
 #include <lumen/gl/buffer.h>
 
+#include "frame/cap_store.h"
 #include "frame/layer_store.h"
 #include "frame/pass_log.h"
 #include "frame/shader_library.h"
@@ -19,10 +20,12 @@ struct FrameContext {
   ValueTable& values;
   Shading& shading;
   PassLog& log;
+  CapStore& caps;
   LayerStore& layers;               ///< of this sample's set
   const LayerStore& centers;        ///< of the sample at the pixels' centers, whose occlusion serves all samples of a pixel
   const ViewScene& scene;
   const ViewGeometry& geometry;
+  const ViewGeometry& main;         ///< of the view's own picture without a border, whatever this one shows
   const lumen::gl::Buffer& frame_block;
   const lumen::gl::Buffer& light_block;
   glm::vec4 to_centers;             ///< uv of the centers' layers = this set's uv * xy + zw

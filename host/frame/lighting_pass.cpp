@@ -59,6 +59,7 @@ void run_lighting_pass(const FrameContext& context, LightingOutput output) {
     Program* program = context.shaders.program("lighting", signature, [&](ProgramText& vertex, ProgramText& fragment) {
       vertex.generated(fullscreen_triangle);
       fragment.generated("uniform sampler2D lumen_layer_normal, lumen_layer_depth, lumen_layer_albedo, lumen_visibility_layer;\nuniform vec4 lumen_to_centers;");
+      fragment.include("host/styles.glsl");
       fragment.include("host/lighting.glsl");
       context.shading.write(fragment, visibility.attenuates, context.lights, false, only);
       std::string main;

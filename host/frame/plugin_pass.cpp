@@ -54,7 +54,7 @@ bool PluginPass::run(const std::function<void(PluginPass&)>& draw) {
   memory_.base_key = context_.set == 0 ? base : memory_.base_key;
   const std::uint64_t full = Hash().add(base).add(memory_.iteration).value();
   return context_.log.run(name_, context_.set, full, [&] {
-    instance_.clear_reports();
+    if (instance_.kind() != lumen::Kind::splitter) instance_.clear_reports();  // these report while they split
     memory_.unfinished = false;
     try {
       draw(*this);
@@ -107,16 +107,16 @@ std::vector<lumen::TracedSurface> PluginPass::traced_surfaces() const {
     for (const SceneSurface& surface : *list) {
       lumen::TracedSurface traced = surface.instance->as<lumen::Renderer>(lumen::Kind::renderer)->traced();
       if (traced.mesh == nullptr) continue;
-      traced.parts = surface.parts;
+      traced.split = surface.split;
       traced.transparent = list == &context_.scene.transparent;
       surfaces.push_back(std::move(traced));
     }
   return surfaces;
 }
 
-void PluginPass::draw_depth(const lumen::Camera& camera, const lumen::gl::Texture& depth) {
+void PluginPass::draw_depth(const lumen::Camera& camera, const lumen::gl::Texture& depth, const lumen::DepthDraw& what) {
   memory_.uses_geometry = true;
-  lumenshop::draw_depth(context_, camera, depth);
+  lumenshop::draw_depth(context_, camera, depth, what);
 }
 
 void PluginPass::parallel(int count, const std::function<void(int, int)>& body) const {

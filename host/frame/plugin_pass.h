@@ -47,7 +47,7 @@ class PluginPass final : public lumen::TransparencyFrame {
   const lumen::gl::Texture& layer(const lumen::Writes& writes) const override;
   const lumen::gl::Texture& scratch(std::string_view name, lumen::Format format, glm::ivec2 size) override;
   void fullscreen(std::string_view shader, const lumen::FullscreenPass& pass) override;
-  void draw_depth(const lumen::Camera& camera, const lumen::gl::Texture& depth) override;
+  void draw_depth(const lumen::Camera& camera, const lumen::gl::Texture& depth, const lumen::DepthDraw& what) override;
   void parallel(int count, const std::function<void(int, int)>& body) const override;
   int iteration() const override { return memory_.iteration; }
   void unfinished(float progress) override {

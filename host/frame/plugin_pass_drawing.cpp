@@ -4,27 +4,15 @@
 #include <lumen/gl/framebuffer.h>
 
 #include "frame/hash.h"
+#include "frame/layer_text.h"
 #include "frame/lighting_pass.h"
 #include "frame/plugin_pass.h"
+#include "frame/surface_draw.h"
 #include "frame/surface_pass.h"
 #include "frame/transparent_layers.h"
 
 namespace lumenshop {
 namespace {
-
-/// The GLSL function NAME_at(uv) over a sampler, with as many components as the format has.
-std::string accessor(const std::string& name, const std::string& sampler, int channels) {
-  const char* types[] = {"", "float", "vec2", "vec3", "vec4"};
-  const char* swizzles[] = {"", ".r", ".rg", ".rgb", ""};
-  return std::string(types[channels]) + " " + name + "_at(vec2 uv) { return textureLod(" + sampler + ", uv, 0.0)" + swizzles[channels] + "; }\n";
-}
-
-std::string inputs_text(const lumen::TextureInputs& inputs) {
-  std::string text;
-  for (const auto& [name, texture] : inputs)
-    text += std::string("uniform sampler2D ") + name + ";\n" + accessor(name, name, lumen::channels_of(texture->format()));
-  return text;
-}
 
 /// How many components a reader sees: packed extras are hidden.
 int visible_channels(std::string_view layer, lumen::Format format) {
@@ -59,7 +47,7 @@ std::string PluginPass::accessors() const {
     const std::string& layer = reads->layer();
     if (!done.insert(layer).second) continue;
     if (layer == "position") {
-      if (done.insert("depth").second) text += "uniform sampler2D lumen_layer_depth;\n" + accessor("depth", "lumen_layer_depth", 1);
+      if (done.insert("depth").second) text += "uniform sampler2D lumen_layer_depth;\n" + accessor_text("depth", "lumen_layer_depth", 1);
       text += "vec3 position_at(vec2 uv) { return position_from(uv, depth_at(uv)); }\n";
       continue;
     }
@@ -73,7 +61,7 @@ std::string PluginPass::accessors() const {
     const bool integers = format == lumen::Format::RGBA32UI;
     text += (integers ? "uniform usampler2D " : "uniform sampler2D ") + sampler + ";\n";
     text += integers ? "uvec4 " + layer + "_at(vec2 uv) { return textureLod(" + sampler + ", uv, 0.0); }\n"
-                     : accessor(layer, sampler, visible_channels(layer, format));
+                     : accessor_text(layer, sampler, visible_channels(layer, format));
   }
   return text;
 }

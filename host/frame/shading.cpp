@@ -28,16 +28,44 @@ std::string file_of(const Instance& instance) {
   return file + ".glsl";
 }
 
-}  // namespace
 
-SurfaceStyle style_of(const Session& session, const Instance& renderer) {
-  SurfaceStyle style;
+/// Its terms from the references `prefix`ambient ... of `owner`; those that are not given stay as they are.
+void take_terms(const Session& session, const Instance& owner, const std::string& prefix, SurfaceStyle& style) {
   for (std::size_t i = 0; i < SurfaceStyle::kinds.size(); ++i) {
-    const auto* reference = value_of<lumen::Reference>(renderer, lumen::name_of(SurfaceStyle::kinds[i]));
+    const auto* reference = value_of<lumen::Reference>(owner, prefix + std::string(lumen::name_of(SurfaceStyle::kinds[i])));
     if (reference == nullptr || reference->empty()) continue;
     Instance* term = session.find(reference->id);
     if (term != nullptr && term->plugin() != nullptr && term->kind() == SurfaceStyle::kinds[i] && term->enabled()) style.terms[i] = term;
   }
+}
+
+void take_material(const Instance& owner, StyleRow& row) {
+  if (const auto* color = value_of<lumen::Color>(owner, "ambient_color")) row.ambient_color = glm::vec4(color->rgb, 1);
+  if (const auto* color = value_of<lumen::Color>(owner, "diffuse_color")) row.diffuse_color = glm::vec4(color->rgb, 1);
+  if (const auto* color = value_of<lumen::Color>(owner, "specular_color")) row.specular_color = glm::vec4(color->rgb, 1);
+  if (const auto* shininess = value_of<float>(owner, "shininess")) row.specular_color.w = *shininess;
+}
+
+/// See lumen::Interior.
+void take_interior_material(const Instance& splitter, StyleRow& row) {
+  if (const auto* color = value_of<lumen::Color>(splitter, "interior_color")) row.ambient_color = row.diffuse_color = glm::vec4(color->rgb, 1);
+  if (const auto* color = value_of<lumen::Color>(splitter, "interior_specular_color")) row.specular_color = glm::vec4(color->rgb, 1);
+  if (const auto* shininess = value_of<float>(splitter, "interior_shininess")) row.specular_color.w = *shininess;
+}
+
+SurfaceStyle interior_style_of(const Session& session, const Instance& splitter, SurfaceStyle outside) {
+  const auto* look = value_of<lumen::Choice>(splitter, "interior");
+  SurfaceStyle style = look != nullptr && *look == "flat" ? SurfaceStyle{} : outside;
+  if (look == nullptr || !(*look == "flat")) take_terms(session, splitter, "interior_", style);
+  style.terms[3] = outside.terms[3];
+  return style;
+}
+
+}  // namespace
+
+SurfaceStyle style_of(const Session& session, const Instance& renderer) {
+  SurfaceStyle style;
+  take_terms(session, renderer, "", style);
   return style;
 }
 
@@ -53,37 +81,61 @@ int Shading::term_index(const Instance& instance) {
   return int(terms_.size()) - 1;
 }
 
-void Shading::update(const Session& session, const std::vector<Instance*>& renderers, const ValueTable& values) {
+int Shading::variant_index(const SurfaceStyle& style) {
+  Variant variant;
+  for (std::size_t i = 0; i < style.terms.size(); ++i) variant.terms[i] = style.terms[i] == nullptr ? -1 : term_index(*style.terms[i]);
+  auto found = std::find(variants_.begin(), variants_.end(), variant);
+  if (found == variants_.end()) found = variants_.insert(variants_.end(), variant);
+  return int(found - variants_.begin());
+}
+
+void Shading::update(const Session& session, const std::vector<LitSurface>& surfaces, const ValueTable& values) {
   terms_.clear();
   variants_.clear();
   styles_.clear();
   variant_of_.clear();
+  interiors_.clear();
   Hash hash;
   std::vector<StyleRow> rows(1);
-  for (Instance* renderer : renderers) {
-    const SurfaceStyle style = styles_[renderer] = style_of(session, *renderer);
-    Variant variant;
+  const auto row_of = [&](const SurfaceStyle& style, const Instance& renderer, int variant) {
     StyleRow row;
     for (std::size_t i = 0; i < style.terms.size(); ++i) {
       const Instance* term = style.terms[i];
-      variant.terms[i] = term == nullptr ? -1 : term_index(*term);
       row.rows[int(i)] = term == nullptr ? 0 : values.row_of(*term);
       if (term != nullptr) hash.add(term->number()).add(term->draw_revision()).add(term->shading_revision());
     }
-    auto found = std::find(variants_.begin(), variants_.end(), variant);
-    if (found == variants_.end()) found = variants_.insert(variants_.end(), variant);
-    row.variant.x = variant_of_[renderer] = int(found - variants_.begin());
-    if (const auto* color = value_of<lumen::Color>(*renderer, "ambient_color")) row.ambient_color = glm::vec4(color->rgb, 1);
-    if (const auto* color = value_of<lumen::Color>(*renderer, "diffuse_color")) row.diffuse_color = glm::vec4(color->rgb, 1);
-    if (const auto* color = value_of<lumen::Color>(*renderer, "specular_color")) row.specular_color = glm::vec4(color->rgb, 1);
-    if (const auto* shininess = value_of<float>(*renderer, "shininess")) row.specular_color.w = *shininess;
-    const auto number = std::size_t(renderer->number());
+    row.variant = {variant, renderer.number(), 0, 0};
+    return row;
+  };
+  for (const LitSurface& surface : surfaces) {
+    const Instance& renderer = *surface.renderer;
+    const SurfaceStyle style = styles_[&renderer] = style_of(session, renderer);
+    StyleRow row = row_of(style, renderer, variant_of_[&renderer] = variant_index(style));
+    take_material(renderer, row);
+    const auto number = std::size_t(renderer.number());
     if (rows.size() <= number) rows.resize(number + 1);
     rows[number] = row;
-    hash.add(number).add(renderer->shading_revision());
+    hash.add(number).add(renderer.shading_revision());
+  }
+  // The insides follow after all instances.
+  for (const LitSurface& surface : surfaces) {
+    if (surface.interior == nullptr) continue;
+    const Instance &renderer = *surface.renderer, &splitter = *surface.interior;
+    const SurfaceStyle style = interior_style_of(session, splitter, styles_.at(&renderer));
+    const int variant = variant_index(style);
+    StyleRow row = row_of(style, renderer, variant);
+    take_interior_material(splitter, row);
+    interiors_[&renderer] = {int(rows.size()), variant};
+    rows.push_back(row);
+    hash.add(splitter.number()).add(splitter.draw_revision()).add(splitter.shading_revision());
   }
   value_revision_ = hash.value();
   table_.write(std::as_bytes(std::span(rows)));
+}
+
+int Shading::interior_row(const Instance& renderer) const {
+  const auto found = interiors_.find(&renderer);
+  return found == interiors_.end() ? 0 : found->second.row;
 }
 
 int Shading::binding_of(int term) const {
@@ -104,6 +156,7 @@ std::uint64_t Shading::signature(ShaderLibrary& library) const {
   Hash hash;
   for (const Term& term : terms_) hash.add(term.file).add(term.properties).add(term.shared).add(library.revision(term.file));
   for (const Variant& variant : variants_) hash.add(variant);
+  for (const auto& [renderer, interior] : interiors_) hash.add(renderer->number()).add(interior.row).add(interior.variant);
   return hash.value();
 }
 
@@ -113,7 +166,7 @@ std::string Shading::shade_case(const Variant& variant, int lights, bool own) co
   const int ambient = variant.terms[0], diffuse = variant.terms[1], specular = variant.terms[2];
   const auto load = [&](int term, const char* component) {
     if (binding_of(term) != row_binding::any) return terms_[std::size_t(term)].prefix + "load(0)";
-    return terms_[std::size_t(term)].prefix + "load(" + (own ? "lumen_own_style" : "lumen_styles[s.instance]") + ".rows." + component + ")";
+    return terms_[std::size_t(term)].prefix + "load(" + (own ? "lumen_own_style" : "lumen_styles[s.style]") + ".rows." + component + ")";
   };
   const auto declare = [&](int term, const char* name, const char* component) {
     return "    " + terms_[std::size_t(term)].prefix + "Properties " + name + " = " + load(term, component) + ";\n";
@@ -134,30 +187,33 @@ std::string Shading::shade_case(const Variant& variant, int lights, bool own) co
 void Shading::write(ProgramText& text, lumen::Attenuates attenuates, int lights, bool with_opacity, const Instance* only) const {
   text.include("lib/values.glsl");
   text.include("host/styles.glsl");
-  const int single = only == nullptr ? -1 : variant_of_.at(only);
+  std::vector<int> met;  // variants
+  if (only != nullptr) met.push_back(variant_of_.at(only));
+  if (const auto inside = interiors_.find(only); inside != interiors_.end() && inside->second.variant != met.front()) met.push_back(inside->second.variant);
+  if (only == nullptr)
+    for (std::size_t v = 0; v < variants_.size(); ++v) met.push_back(int(v));
+  // Styles at constant places are read faster than those that are looked up.
+  const bool own = only != nullptr && !interiors_.contains(only);
   std::vector<bool> wanted(terms_.size(), false);
-  for (std::size_t v = 0; v < variants_.size(); ++v) {
-    if (single >= 0 && int(v) != single) continue;
+  for (const int v : met)
     for (std::size_t i = 0; i < 4; ++i)
-      if (const int term = variants_[v].terms[i]; term >= 0 && (i < 3 || with_opacity)) wanted[std::size_t(term)] = true;
-  }
+      if (const int term = variants_[std::size_t(v)].terms[i]; term >= 0 && (i < 3 || with_opacity)) wanted[std::size_t(term)] = true;
   for (std::size_t i = 0; i < terms_.size(); ++i) {
     if (!wanted[i]) continue;
     text.generated(properties_text(*terms_[i].instance, terms_[i].prefix, binding_of(int(i))));
     text.file(terms_[i].file, {lumen::name_of(terms_[i].instance->kind())}, terms_[i].prefix);
   }
   std::string cases;
-  for (std::size_t v = 0; v < variants_.size(); ++v)
-    if (single < 0 || int(v) == single) cases += "  case " + std::to_string(v) + ": {\n" + shade_case(variants_[v], lights, only != nullptr) + "  } break;\n";
+  for (const int v : met) cases += "  case " + std::to_string(v) + ": {\n" + shade_case(variants_[std::size_t(v)], lights, own) + "  } break;\n";
   std::string function = "Lighting shade(Surface s, vec3 visibility) {\n  Lighting r = Lighting(vec3(0), vec3(0), vec3(0));\n";
   if (!cases.empty())
-    function += "  switch (" + (single >= 0 ? std::to_string(single) : std::string("lumen_styles[s.instance].variant.x")) + ") {\n" + cases + "  }\n";
+    function += "  switch (" + (met.size() == 1 && only != nullptr ? std::to_string(met.front()) : std::string("lumen_styles[s.style].variant.x")) + ") {\n" + cases + "  }\n";
   function += "  r.ambient *= visibility;\n";
   if (attenuates != lumen::Attenuates::ambient) function += "  r.diffuse *= visibility;\n";
   if (attenuates == lumen::Attenuates::everything) function += "  r.specular *= visibility;\n";
   function += "  return r;\n}\n";
   if (with_opacity) {
-    const int term = single < 0 ? -1 : variants_[std::size_t(single)].terms[3];
+    const int term = only == nullptr ? -1 : variants_[std::size_t(met.front())].terms[3];
     function += "float opacity_of(Surface s) { return ";
     const std::string prefix = term < 0 ? "" : terms_[std::size_t(term)].prefix;
     function += term < 0 ? "1.0" : prefix + "opacity(" + prefix + "load(lumen_own_style.rows.w), s)";

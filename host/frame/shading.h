@@ -25,10 +25,16 @@ struct SurfaceStyle {
 /// What a renderer's references say; a reference to what is missing, disabled or of another kind is none.
 SurfaceStyle style_of(const Session& session, const Instance& renderer);
 
+/// A surface to be lit.
+struct LitSurface {
+  Instance* renderer;
+  Instance* interior = nullptr;          ///< the splitter that says how its inside looks; null: as its outside
+};
+
 class Shading {
  public:
   /// Collects the styles of these renderers, and gives each combination of terms a number.
-  void update(const Session& session, const std::vector<Instance*>& renderers, const ValueTable& values);
+  void update(const Session& session, const std::vector<LitSurface>& surfaces, const ValueTable& values);
   /// The style table, and the rows of terms that only one instance has.
   void bind(const ValueTable& values) const;
   /// The one style of a program that draws this renderer alone.
@@ -39,12 +45,14 @@ class Shading {
   /// Grows with the values that the styles' terms and materials have.
   std::uint64_t value_revision() const { return value_revision_; }
   const SurfaceStyle& style(const Instance& renderer) const;
+  /// The row of the style of its inside; 0: it has none of its own.
+  int interior_row(const Instance& renderer) const;
 
   /// Adds shade(s, visibility) for `lights` lights; `with_opacity`: also opacity_of(s). `only`: the one renderer whose
   /// surfaces are met, or null.
   void write(ProgramText& text, lumen::Attenuates attenuates, int lights, bool with_opacity, const Instance* only) const;
-  /// The only renderer that there is; null if there are several.
-  const Instance* single() const { return styles_.size() == 1 ? styles_.begin()->first : nullptr; }
+  /// The only renderer that there is, if it has one style; else null.
+  const Instance* single() const { return styles_.size() == 1 && interiors_.empty() ? styles_.begin()->first : nullptr; }
   /// How many lights there are goes into lib/lights.glsl's block; this is its size limit.
   static constexpr int light_limit = 16;
 
@@ -58,7 +66,11 @@ class Shading {
     std::array<int, 4> terms;  ///< indices into terms_, -1 = none
     bool operator==(const Variant&) const = default;
   };
+  struct Interior {
+    int row, variant;
+  };
   int term_index(const Instance& instance);
+  int variant_index(const SurfaceStyle& style);
   int binding_of(int term) const;
   std::string shade_case(const Variant& variant, int lights, bool own) const;
 
@@ -66,6 +78,7 @@ class Shading {
   std::vector<Variant> variants_;
   std::map<const Instance*, SurfaceStyle> styles_;
   std::map<const Instance*, int> variant_of_;
+  std::map<const Instance*, Interior> interiors_;  ///< by renderer
   std::uint64_t value_revision_ = 0;
   lumen::gl::Buffer table_;
 };

@@ -9,6 +9,7 @@
 
 #include "frame/hash.h"
 #include "frame/lighting_pass.h"
+#include "frame/surface_draw.h"
 #include "frame/surface_pass.h"
 
 namespace lumenshop {
@@ -52,7 +53,7 @@ void run_layer_geometry(const FrameContext& context, int index) {
                          "void main() {\n  Surface s = lumen_surface();\n  ivec2 pixel = ivec2(gl_FragCoord.xy);\n  lumen_depth = -s.position.z;\n"
                          "  if (lumen_depth >= texelFetch(lumen_opaque_depth, pixel, 0).r) discard;\n" +
                          std::string(index > 0 ? "  if (lumen_depth <= texelFetch(lumen_nearer_depth, pixel, 0).r) discard;\n" : "") +
-                         "  lumen_normal = vec4(s.normal, float(s.instance));\n}\n");
+                         "  lumen_normal = vec4(s.normal, float(s.style));\n}\n");
         },
         .prepare = [&](Program& program) {
           program.bind("lumen_opaque_depth", layers.find("depth")->name());

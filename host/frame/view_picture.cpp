@@ -9,6 +9,7 @@
 #include <lumen/interactor.h>
 #include <lumen/occlusion.h>
 #include <lumen/renderer.h>
+#include <lumen/splitter.h>
 #include <lumen/transparency.h>
 
 #include "frame/hash.h"
@@ -62,16 +63,27 @@ FrameContext ViewRenderer::State::context(int set, const PictureWindow& window, 
   const glm::vec2 centers_size(size + 2 * border());
   const glm::vec4 to_centers(glm::vec2(sample.size()) / float(window.scale) / centers_size,
                              glm::vec2(window.origin - window.border + border()) / centers_size);
-  return {session, shaders, values, shading, log, layers, centers, scene, sample, frame_block, light_block, to_centers,
+  return {session, shaders, values, shading, log, caps, layers, centers, scene, sample, main, frame_block, light_block, to_centers,
           Hash().add(timeless).add(sample.size()).add(sample.camera.pivot).add(sample.camera.distance).value(), Hash().add(lights).value(), lights.count.x, set};
 }
 
 ViewGeometry ViewRenderer::State::geometry_of(const PictureWindow& window) const {
   lumen::Bounds transparent;
   for (const SceneSurface& surface : scene.transparent)
-    for (const lumen::Part& part : surface.parts)
+    for (const lumen::Part& part : surface.split.parts)
       transparent.include(surface.instance->as<lumen::Renderer>(Kind::renderer)->bounds().transformed(part.transform));
   return make_geometry(camera, window, scene.bounds, scene.split_bounds, transparent, double(scene.view->time.get()));
+}
+
+void ViewRenderer::State::prepare_splitters() {
+  std::set<Instance*> all;
+  for (const auto* surfaces : {&scene.opaque, &scene.transparent})
+    for (const SceneSurface& surface : *surfaces) all.insert(surface.splitters.begin(), surface.splitters.end());
+  const FrameContext frame = context(0, {.picture = size, .size = size}, main, centers);
+  for (Instance* splitter : all) {
+    PluginPass pass(frame, *splitter, memories[splitter->id()], {}, {});
+    pass.run([&](PluginPass& in) { splitter->as<lumen::Splitter>(Kind::splitter)->prepare(in); });
+  }
 }
 
 void ViewRenderer::State::draw_surfaces(const FrameContext& frame) {
@@ -128,13 +140,18 @@ void ViewRenderer::State::forget_unused() {
     for (const Instance* instance : *list) used.insert(instance->id());
   for (const Instance* instance : {scene.occlusion, scene.transparency})
     if (instance != nullptr) used.insert(instance->id());
+  for (const auto* surfaces : {&scene.opaque, &scene.transparent})
+    for (const SceneSurface& surface : *surfaces)
+      for (const Instance* splitter : surface.splitters) used.insert(splitter->id());
   std::erase_if(memories, [&](const auto& memory) { return !used.contains(memory.first.substr(memory.first.rfind('/') + 1)); });
 }
 
 void ViewRenderer::State::draw_picture(bool final) {
   forget_unused();
   geometry = geometry_of(whole());
+  main = geometry_of({.picture = size, .size = size});
   if (final && !needs_centers()) return draw_mean_alone();
+  prepare_splitters();
   const FrameContext frame = context(0, whole(), geometry, centers);
   draw_surfaces(frame);
   draw_occlusion(frame);
@@ -161,6 +178,7 @@ void ViewRenderer::State::draw_mean_alone() {
   if (samples == 0) {
     centers.clear();
     log.forget();
+    prepare_splitters();
     while (samples < samples_wanted()) add_samples(occluded);
     drop_fine();
     content_key = opaque_key();

@@ -63,10 +63,11 @@ bool ViewRenderer::State::draw(bool final) {
   stale = false;
   camera = scene.camera != nullptr ? scene.camera->as<lumen::Interactor>(Kind::interactor)->camera()
                                    : fitting_camera(scene.bounds, float(size.x) / float(size.y));
+  split_surfaces(scene, camera);
   lights = make_lights(scene, camera);
   light_block.write(std::as_bytes(std::span(&lights, 1)));
   values.update(session);
-  shading.update(session, scene.renderers(), values);
+  shading.update(session, scene.lit_surfaces(), values);
   problems = scene.problems;
   const auto runs_before = log.total_runs();
   const int samples_before = samples;

@@ -4,8 +4,6 @@
 
 #include <lumen/interactor.h>
 #include <lumen/renderer.h>
-#include <lumen/splitter.h>
-
 #include "frame/shading.h"
 
 namespace lumenshop {
@@ -34,19 +32,14 @@ class Finder {
   }
 
   SceneSurface surface(Instance& instance) const {
-    SceneSurface surface{&instance, {lumen::Part{}}};
+    SceneSurface surface{.instance = &instance};
     const int slot = instance.slot_of("splitter");
-    const auto* reference = slot < 0 ? nullptr : std::get_if<lumen::Reference>(&instance.read(slot));
-    Instance* splitter = reference == nullptr ? nullptr : find(reference->id, Kind::splitter);
-    if (splitter == nullptr) return surface;
-    try {
-      auto parts = splitter->as<lumen::Splitter>(Kind::splitter)->parts(instance.as<lumen::Renderer>(Kind::renderer)->bounds());
-      for (const lumen::Part& part : parts)
-        if (part.planes.size() > 8) throw lumen::Error(splitter->id(), "a part has more than 8 planes");
-      if (!parts.empty()) surface.parts = std::move(parts);
-      surface.splitter = splitter;
-    } catch (const std::exception& error) {
-      problem(lumen::Severity::error, splitter->id(), error.what());
+    if (slot < 0) return surface;
+    if (const auto* references = std::get_if<lumen::References>(&instance.read(slot))) surface.splitters = find_all(*references, Kind::splitter);
+    for (Instance* splitter : surface.splitters) {
+      const int look = splitter->slot_of("interior");
+      const auto* choice = look < 0 ? nullptr : std::get_if<lumen::Choice>(&splitter->read(look));
+      if (surface.interior == nullptr && choice != nullptr && !(*choice == "none")) surface.interior = splitter;
     }
     return surface;
   }
@@ -59,10 +52,10 @@ class Finder {
 
 }  // namespace
 
-std::vector<Instance*> ViewScene::renderers() const {
-  std::vector<Instance*> all;
+std::vector<LitSurface> ViewScene::lit_surfaces() const {
+  std::vector<LitSurface> all;
   for (const auto* list : {&opaque, &transparent})
-    for (const SceneSurface& surface : *list) all.push_back(surface.instance);
+    for (const SceneSurface& surface : *list) all.push_back({surface.instance, surface.interior});
   return all;
 }
 
@@ -95,7 +88,6 @@ ViewScene find_scene(const Session& session, const std::string& id, const std::s
     if (bounds.empty()) continue;
     SceneSurface surface = finder.surface(*renderer);
     scene.bounds.include(bounds);
-    for (const lumen::Part& part : surface.parts) scene.split_bounds.include(bounds.transformed(part.transform));
     const bool transparent = style_of(session, *renderer).terms[3] != nullptr;
     if (transparent && scene.transparency == nullptr)
       finder.problem(lumen::Severity::warning, renderer->id(),

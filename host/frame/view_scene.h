@@ -9,6 +9,7 @@
 #include <lumen/editor.h>
 #include <lumen/part.h>
 
+#include "frame/shading.h"
 #include "model/session.h"
 #include "model/view.h"
 
@@ -16,9 +17,10 @@ namespace lumenshop {
 
 struct SceneSurface {
   Instance* instance;
-  std::vector<lumen::Part> parts;          ///< at least one
-  Instance* splitter = nullptr;
-  bool split() const { return parts.size() > 1 || !parts.front().planes.empty(); }
+  std::vector<Instance*> splitters = {};
+  lumen::Split split = {};                 ///< what they make of it; one whole part until split_surfaces()
+  Instance* interior = nullptr;            ///< the splitter that says how its inside looks; null: as its outside
+  bool removes() const;                    ///< a splitter's shader removes fragments
 };
 
 struct ViewScene {
@@ -32,14 +34,17 @@ struct ViewScene {
   std::vector<Instance*> overlays;         ///< interactors that write `color`
   std::vector<Instance*> interactors;
   lumen::Bounds bounds;                    ///< world, surfaces unsplit
-  lumen::Bounds split_bounds;              ///< world, parts where they are drawn
+  lumen::Bounds split_bounds;              ///< world, parts where they are drawn, once they are split
   std::vector<lumen::Problem> problems;    ///< what cannot be, in words that name the instances
 
-  std::vector<Instance*> renderers() const;
+  std::vector<LitSurface> lit_surfaces() const;
 };
 
 /// `substitute`: an occlusion or transparency in place of the view's own, or empty. Throws lumen::Error if the session has
 /// no such view.
 ViewScene find_scene(const Session& session, const std::string& view, const std::string& substitute = {});
+
+/// Asks the splitters for the parts that the camera's picture has. What cannot be split stays whole and is a problem.
+void split_surfaces(ViewScene& scene, const lumen::Camera& camera);
 
 }  // namespace lumenshop

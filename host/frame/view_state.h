@@ -8,6 +8,7 @@
 #include "frame/light_block.h"
 #include "frame/lighting_pass.h"
 #include "frame/plugin_pass.h"
+#include "frame/surface_draw.h"
 #include "frame/surface_pass.h"
 #include "frame/view_renderer.h"
 
@@ -26,9 +27,11 @@ struct ViewRenderer::State {
   ViewScene scene;
   lumen::Camera camera;
   ViewGeometry geometry;            ///< of the centers
+  ViewGeometry main;                ///< of the picture without a border, for what splitters prepare
   ValueTable values;
   Shading shading;
   PassLog log;
+  CapStore caps;
   LayerStore centers, fine;         ///< layers at the pixels' centers, which are kept; of antialiasing's samples
   lumen::gl::Buffer frame_block, light_block;
   std::map<std::string, PluginPassMemory> memories;
@@ -66,7 +69,8 @@ struct ViewRenderer::State {
   bool reads_front() const;         ///< somebody reads the front-most surface, transparent ones included
   bool needs_centers() const;       ///< somebody reads more than the mean of a pixel's samples
   bool draw(bool final);            ///< `final`: nobody looks before it is finished
-  void draw_surfaces(const FrameContext& frame);       ///< if due, as all of these
+  void prepare_splitters();         ///< if due, as all of these
+  void draw_surfaces(const FrameContext& frame);
   void draw_occlusion(const FrameContext& frame);
   std::string light_scene(const FrameContext& frame);  ///< with transparency; the name of the layer that holds the lit scene
   void draw_picture(bool final);

@@ -213,7 +213,9 @@ Value from_json(const Json& json, const lumen::PropertySpec& spec) {
     case ValueType::reference:
       if (json.is_null()) return lumen::Reference{};
       return lumen::Reference{string_of(json, spec)};
-    case ValueType::references: return lumen::References{strings_of(json, spec)};
+    case ValueType::references:
+      if (json.is_string()) return json.get_ref<const std::string&>().empty() ? lumen::References{} : lumen::References{{json.get<std::string>()}};
+      return lumen::References{strings_of(json, spec)};
     case ValueType::data: refuse(json, spec);
     default: return clamped(vector_of(json, spec), spec);
   }

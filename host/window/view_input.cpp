@@ -116,11 +116,24 @@ std::optional<glm::vec3> ViewInputRouter::surface_at(glm::vec2 pixel) {
   return under.position;
 }
 
-std::string ViewInputRouter::instance_at(glm::vec2 pixel) {
-  const int number = hit(pixel).instance;
+Instance* ViewInputRouter::instance_of(int number) const {
   for (const auto& plugin : situation_.session->plugins())
-    if (number > 0 && plugin->number() == number) return plugin->id();
-  return {};
+    if (number > 0 && plugin->number() == number) return plugin.get();
+  return nullptr;
+}
+
+std::string ViewInputRouter::instance_at(glm::vec2 pixel) {
+  const Instance* instance = instance_of(hit(pixel).instance);
+  return instance == nullptr ? std::string() : instance->id();
+}
+
+std::optional<lumen::Picked> ViewInputRouter::pick(glm::vec2 pixel) {
+  const ViewRenderer::Hit under = hit(pixel);
+  Instance* instance = instance_of(under.instance);
+  if (instance == nullptr) return std::nullopt;
+  const lumen::TracedSurface surface = instance->as<lumen::Renderer>(Kind::renderer)->traced();
+  return lumen::Picked{.renderer = instance->id(), .part = under.part - 1, .cell = under.primitive - 1, .position = under.position,
+                       .mesh = surface.mesh, .object_to_world = surface.object_to_world};
 }
 
 }  // namespace lumenshop

@@ -43,12 +43,14 @@ class ViewInputRouter final : public lumen::ViewInput {
   lumen::Bounds selection() const override;
   std::optional<glm::vec3> surface_at(glm::vec2 pixel) override;
   std::string instance_at(glm::vec2 pixel) override;
+  std::optional<lumen::Picked> pick(glm::vec2 pixel) override;
   bool blender_keys() const override { return situation_.blender_keys; }
   double time() const override { return situation_.time; }
   bool reduced_motion() const override { return situation_.reduced_motion; }
   void animate() override;
 
  private:
+  Instance* instance_of(int number) const;  ///< null: none
   std::vector<Instance*> order() const;
   bool ask(Instance& instance, const lumen::InputEvent& event);
   ViewRenderer::Hit hit(glm::vec2 pixel);

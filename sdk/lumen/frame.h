@@ -5,6 +5,7 @@
 #include <memory>
 #include <optional>
 #include <span>
+#include <string>
 #include <string_view>
 #include <utility>
 #include <vector>
@@ -47,8 +48,16 @@ struct FullscreenPass {
 struct TracedSurface {
   std::shared_ptr<const Mesh> mesh;    ///< null: not for rays
   glm::mat4 object_to_world{1};
-  std::vector<Part> parts = {};        ///< of its splitter, filled in by the host; at least one
+  Split split = {};                    ///< by its splitters, filled in by the host
   bool transparent = false;            ///< filled in by the host
+};
+
+/// What Frame::draw_depth draws; use designated initializers.
+struct DepthDraw {
+  bool farthest = false;   ///< the farthest surface of each pixel, not the nearest; then -inf where there is nothing
+  bool closed = false;     ///< parts uncut and unmoved
+  /// Which parts; default: all. Called with the renderer's id.
+  std::function<bool(const std::string& renderer, const Part& part)> wanted = {};
 };
 
 /// One view being drawn. Valid during the call that it is given to; the GL context is current.
@@ -77,7 +86,7 @@ class Frame {
 
   /// The opaque surfaces as another camera sees them: fills `depth` (R32F) with eye distances along its axis, world
   /// units, +inf where there is nothing. For shadows and cutaways.
-  virtual void draw_depth(const Camera& camera, const gl::Texture& depth) = 0;
+  virtual void draw_depth(const Camera& camera, const gl::Texture& depth, const DepthDraw& what = {}) = 0;
 
   /// Calls body(first, last) for parts of 0..count on all cores, and returns when all are done. It may throw.
   virtual void parallel(int count, const std::function<void(int first, int last)>& body) const = 0;
@@ -112,14 +121,20 @@ class Draw {
   virtual const Camera& camera() const = 0;
   virtual const glm::mat4& world_to_clip() const = 0;
   virtual glm::ivec2 size() const = 0;
-  /// Only what is in front can be seen: clusters of a closed surface that face away need not be drawn.
-  virtual bool front_suffices() const = 0;
+  /// Which triangles that face away can be seen, if the surface is closed: none, those behind a hole that a plane of the
+  /// part cuts (Part::openings), or any.
+  enum class Backs { hidden, behind_openings, anywhere };
+  virtual Backs backs(int part) const = 0;
   /// Primitives are told apart by gl_PrimitiveID: draw all in one call, in the order of the data that the shader expects.
   virtual bool identifies() const = 0;
-  /// The parts to draw, one by one; one untouched part if there is no splitter.
+  /// The parts to draw, one by one; one untouched part if there is no splitter. A part may have a group.
   virtual std::span<const Part> parts() const = 0;
+  /// The group of each triangle of the mesh; null: parts have none.
+  virtual const std::shared_ptr<const std::vector<std::uint32_t>>& groups() const = 0;
   /// Makes the shader's program current for part `index`, with the instance's properties. Textures from `inputs` are bound.
   virtual void use(std::string_view shader, int part, std::span<const std::pair<const char*, const gl::Texture*>> inputs = {}) = 0;
+  /// What primitive_number() of the shader begins with in the next call that draws; 0 after use().
+  virtual void number_from(int first) = 0;
 };
 
 }  // namespace lumen

@@ -1,7 +1,9 @@
 /// Interactors: input becomes properties. They may draw over the picture; they may be a camera or a light.
 #pragma once
 
+#include <memory>
 #include <optional>
+#include <string>
 
 #include <lumen/camera.h>
 #include <lumen/frame.h>
@@ -23,6 +25,18 @@ struct InputEvent {
   std::string held = {};            ///< a letter key that is held down ("L"), or empty
 };
 
+struct Mesh;
+
+/// The surface under a pixel.
+struct Picked {
+  std::string renderer;              ///< id
+  int part = 0;                      ///< of its split
+  int cell = -1;                     ///< of the source data; -1: a cap
+  glm::vec3 position{0};             ///< world, where it is drawn
+  std::shared_ptr<const Mesh> mesh = {};  ///< null: not made of triangles
+  glm::mat4 object_to_world{1};
+};
+
 /// The view that an event is in.
 class ViewInput {
  public:
@@ -34,6 +48,7 @@ class ViewInput {
   /// The surface under a pixel: world position, or nothing on the background.
   virtual std::optional<glm::vec3> surface_at(glm::vec2 pixel) = 0;
   virtual std::string instance_at(glm::vec2 pixel) = 0;  ///< id, or empty
+  virtual std::optional<Picked> pick(glm::vec2 pixel) { (void)pixel; return {}; }  ///< nothing on the background
   virtual bool blender_keys() const = 0;        ///< the person chose the Blender preset
   virtual double time() const = 0;              ///< seconds, steady
   virtual bool reduced_motion() const { return false; }  ///< jumps do not ease

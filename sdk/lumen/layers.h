@@ -14,6 +14,9 @@
 ///   color     lit opaque scene, associated alpha = coverage                          4
 ///   transparent  associated color over the opaque scene                              4
 ///   opacity   1 - prod(1 - a) of the transparent surfaces                            1
+/// Compositors and overlays read `color` as their predecessors left it, and beside these layers
+///   opaque    the lit opaque scene, whatever compositors did to it                   4
+///   front_depth, front_normal   depth and normal of the front-most surface, transparent ones included   1, 3
 ///
 /// A declaration made or ended between two frames (a std::optional<Writes>, in changed()) counts from the next one on.
 #pragma once

@@ -1,4 +1,4 @@
-// The fused lighting of all opaque surfaces of a view; the host adds shade() and the outputs.
+// The fused lighting of all opaque surfaces of a view; the host puts host/styles.glsl before, and adds shade() and the outputs.
 #include "lib/frame.glsl"
 #include "lib/surface.glsl"
 
@@ -9,7 +9,8 @@ Surface surface_at(vec2 uv) {
   s.position = position_from(uv, textureLod(lumen_layer_depth, uv, 0.0).r);
   s.normal = packed_normal.xyz;
   s.to_eye = to_eye(s.position);
-  s.instance = int(packed_normal.w + 0.5);
+  s.style = int(packed_normal.w + 0.5);
+  s.instance = lumen_styles[s.style].variant.y;
   s.part = 0;
   s.primitive = 0;
   s.front = true;

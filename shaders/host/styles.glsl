@@ -3,14 +3,14 @@
 
 struct LumenStyle {
   ivec4 rows;           // of the values of its ambient, diffuse, specular and opacity term
-  ivec4 variant;        // x: which combination of terms
+  ivec4 variant;        // x: which combination of terms, y: whose style it is
   vec4 ambient_color;
   vec4 diffuse_color;
   vec4 specular_color;  // w: shininess
   vec4 unused[11];      // a row is 256 bytes long, so that it can be bound on its own
 };
 
-// The styles of all instances, and the one that a program which draws a single instance has bound.
+// The styles of all instances and of the insides that splitters open, and the one that a program which draws a single instance has bound.
 layout(std430, binding = 1) readonly buffer LumenStyles { LumenStyle lumen_styles[]; };
 layout(std140, binding = 12) uniform LumenOwnStyle { LumenStyle lumen_own_style; };
 
@@ -21,8 +21,8 @@ void lumen_take_material(LumenStyle style, inout Surface s) {
   s.shininess = style.specular_color.w;
 }
 
-// The material of s.instance, whichever it is; of the instance that the program draws.
-void lumen_material(inout Surface s) { lumen_take_material(lumen_styles[s.instance], s); }
+// The material of s.style, whichever it is; of the instance that the program draws.
+void lumen_material(inout Surface s) { lumen_take_material(lumen_styles[s.style], s); }
 void lumen_own_material(inout Surface s) { lumen_take_material(lumen_own_style, s); }
 
 // The normal turned toward the eye. `flat_normal` is the triangle's own, which faces the eye: where the averaged normal is on its

@@ -9,9 +9,11 @@ struct Surface {
   vec3 specular_color;
   float shininess;
   int instance;        // 1.. in session order; set by the host
-  int part;            // of the splitter; set by the host
+  int style;           // row of what it is made of; set by the host
+  int part;            // of the splitters; set by the host
   int primitive;       // of the data, from 0
   bool front;          // seen from outside; set by the host
+  vec3 place;          // world, where it was before splitters moved it; set for splitters alone
 };
 
 struct Light {

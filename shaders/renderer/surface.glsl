@@ -32,5 +32,5 @@ void surface(Properties p, inout Surface s) {
   // Where the data has no normal, the triangle's own stands in.
   s.normal = dot(view_normal, view_normal) > 0.0 ? normalize(view_normal) : normalize(cross(dFdx(view_position), dFdy(view_position)));
   if (p.colored) s.diffuse_color = map(p.color_map, shown_value).rgb;
-  s.primitive = int(cells[gl_PrimitiveID]);
+  s.primitive = int(cells[primitive_number()]);
 }

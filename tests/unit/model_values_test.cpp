@@ -82,12 +82,17 @@ TEST(JsonValue, MatricesAreWrittenRowByRow) {
   EXPECT_EQ(matrix[3], glm::vec4(7, 8, 9, 1));
 }
 
+TEST(JsonValue, OneReferenceIsAListOfOne) {
+  EXPECT_EQ(parsed("\"a\"", spec_of(ValueType::references)), Value(lumen::References{{"a"}}));
+  EXPECT_EQ(parsed("\"\"", spec_of(ValueType::references)), Value(lumen::References{}));
+}
+
 TEST(JsonValue, RefusesWhatIsNotTheType) {
   const std::pair<ValueType, const char*> cases[] = {
       {ValueType::boolean, "1"}, {ValueType::integer, "2.5"}, {ValueType::integer, "\"2\""}, {ValueType::real, "true"}, {ValueType::vec3, "[1,2]"},
       {ValueType::vec3, "[1,2,\"3\"]"}, {ValueType::color, "[1,2,3,4]"}, {ValueType::rotation, "[0,0,0,0]"}, {ValueType::mat4, "[1]"},
       {ValueType::string, "5"}, {ValueType::path, "null"}, {ValueType::integers, "[1.5]"}, {ValueType::strings, "[1]"}, {ValueType::reference, "[]"},
-      {ValueType::references, "\"a\""}, {ValueType::data, "\"a\""}, {ValueType::transfer_function, R"({"range":[1,0],"points":[[0,0,0,0,0],[1,1,1,1,1]]})"},
+      {ValueType::references, "5"}, {ValueType::data, "\"a\""}, {ValueType::transfer_function, R"({"range":[1,0],"points":[[0,0,0,0,0],[1,1,1,1,1]]})"},
       {ValueType::transfer_function, R"({"range":[0,1],"points":[[0,0,0,0,0]]})"}, {ValueType::transfer_function, R"({"range":[0,1]})"},
       {ValueType::transfer_function, R"({"range":[0,1],"points":[[0,0,0,0,0],[1,1,1,1,1]],"more":1})"}};
   for (const auto& [type, text] : cases) EXPECT_NE(error_of([&] { parsed(text, spec_of(type)); }), "") << lumen::name_of(type) << " of " << text;

@@ -17,7 +17,7 @@ lumen::Bounds casters(const lumen::Frame& frame) {
   lumen::Bounds bounds;
   for (const lumen::TracedSurface& surface : frame.traced_surfaces())
     if (!surface.transparent)
-      for (const lumen::Part& part : surface.parts) bounds.include(surface.mesh->bounds().transformed(part.transform * surface.object_to_world));
+      for (const lumen::Part& part : surface.split.parts) bounds.include(surface.mesh->bounds().transformed(part.transform * surface.object_to_world));
   return bounds;
 }
 

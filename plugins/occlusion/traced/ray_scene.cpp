@@ -31,7 +31,7 @@ void keep_inside(const RTCFilterFunctionNArguments* arguments) {
 }
 
 bool same(const lumen::TracedSurface& a, const lumen::TracedSurface& b) {
-  return a.mesh == b.mesh && a.object_to_world == b.object_to_world && a.parts == b.parts;
+  return a.mesh == b.mesh && a.object_to_world == b.object_to_world && a.split == b.split;
 }
 
 }  // namespace
@@ -67,19 +67,24 @@ struct RayScene::Embree {
     if (rtcGetDeviceError(device) != RTC_ERROR_NONE) fail(what);
   }
 
-  /// The triangles moved by `to_world`, cut by the part's planes.
-  void add(const lumen::Mesh& mesh, const glm::mat4& to_world, const lumen::Part& part) {
+  /// Triangles moved by `to_world`, cut by planes where they were before the part's move; with `groups`, those of the part's.
+  void add(const lumen::Mesh& mesh, const glm::mat4& to_world, const lumen::Part& part, const std::vector<glm::vec4>& planes, const std::vector<std::uint32_t>* groups) {
+    const auto within = [&](std::size_t triangle) { return groups == nullptr || part.group < 0 || (*groups)[triangle] == std::uint32_t(part.group); };
+    std::size_t count = 0;
+    for (std::size_t i = 0; i < mesh.triangles.size(); ++i) count += within(i);
+    if (count == 0) return;
     RTCGeometry geometry = rtcNewGeometry(device, RTC_GEOMETRY_TYPE_TRIANGLE);
     auto* positions = static_cast<glm::vec3*>(rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3, sizeof(glm::vec3), mesh.positions.size()));
-    auto* triangles = static_cast<glm::uvec3*>(rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3, sizeof(glm::uvec3), mesh.triangles.size()));
+    auto* triangles = static_cast<glm::uvec3*>(rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3, sizeof(glm::uvec3), count));
     if (positions == nullptr || triangles == nullptr) {
       rtcReleaseGeometry(geometry);
       fail("holding a mesh");
     }
     for (std::size_t i = 0; i < mesh.positions.size(); ++i) positions[i] = glm::vec3(to_world * glm::vec4(mesh.positions[i], 1));
-    std::copy(mesh.triangles.begin(), mesh.triangles.end(), triangles);
-    if (!part.planes.empty()) {
-      cuts.push_back(std::make_unique<Cut>(Cut{glm::inverse(part.transform), part.planes}));
+    for (std::size_t i = 0; i < mesh.triangles.size(); ++i)
+      if (within(i)) *triangles++ = mesh.triangles[i];
+    if (!planes.empty()) {
+      cuts.push_back(std::make_unique<Cut>(Cut{glm::inverse(part.transform), planes}));
       rtcSetGeometryUserData(geometry, cuts.back().get());
       rtcSetGeometryOccludedFilterFunction(geometry, keep_inside);
     }
@@ -92,9 +97,20 @@ struct RayScene::Embree {
 
 RayScene::RayScene(std::vector<lumen::TracedSurface> surfaces) : embree_(std::make_unique<Embree>()), surfaces_(std::move(surfaces)) {
   for (const lumen::TracedSurface& surface : surfaces_)
-    for (const lumen::Part& part : surface.parts) embree_->add(*surface.mesh, part.transform * surface.object_to_world, part);
+    add_split(surface);
   rtcCommitScene(embree_->world);
   embree_->check("building the hierarchy");
+}
+
+void RayScene::add_split(const lumen::TracedSurface& surface) {
+  for (const lumen::Part& part : surface.split.parts)
+    embree_->add(*surface.mesh, part.transform * surface.object_to_world, part, part.planes, surface.split.groups.get());
+  for (const lumen::Cap& cap : surface.split.caps) {
+    const lumen::Part& part = surface.split.parts[std::size_t(cap.part)];
+    std::vector<glm::vec4> others = part.planes;
+    others.erase(others.begin() + cap.plane);
+    embree_->add(*cap.shape, part.transform, part, others, nullptr);
+  }
 }
 
 RayScene::~RayScene() = default;

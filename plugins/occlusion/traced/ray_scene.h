@@ -23,6 +23,7 @@ class RayScene {
   bool occluded(glm::vec3 origin, glm::vec3 direction, float reach) const;
 
  private:
+  void add_split(const lumen::TracedSurface& surface);
   struct Embree;
   std::unique_ptr<Embree> embree_;
   std::vector<lumen::TracedSurface> surfaces_;

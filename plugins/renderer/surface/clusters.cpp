@@ -7,6 +7,7 @@
 #include <numeric>
 #include <span>
 
+#include <glm/gtc/constants.hpp>
 #include <meshoptimizer.h>
 
 namespace {
@@ -106,6 +107,21 @@ std::vector<std::uint32_t> places(const lumen::Mesh& mesh) {
   return place;
 }
 
+/// The places with group after group, in each the order as it was.
+std::vector<std::uint32_t> grouped(std::vector<std::uint32_t> place, const Groups& groups) {
+  if (groups == nullptr) return place;
+  std::vector<std::uint32_t> at(place.size()), next(1);
+  for (std::size_t i = 0; i < place.size(); ++i) {
+    at[place[i]] = std::uint32_t(i);
+    const std::uint32_t group = (*groups)[i];
+    if (next.size() < std::size_t(group) + 2) next.resize(std::size_t(group) + 2);
+    ++next[group + 1];
+  }
+  std::partial_sum(next.begin(), next.end(), next.begin());
+  for (const std::uint32_t triangle : at) place[triangle] = next[(*groups)[triangle]]++;
+  return place;
+}
+
 /// The sphere about the box of the points, and the cone about the mean direction.
 Cluster cluster_of(const lumen::Mesh& mesh, std::span<const glm::uvec3> triangles, std::uint32_t first, std::uint32_t count) {
   Cluster cluster{.first = first, .count = count};
@@ -140,44 +156,82 @@ Cluster cluster_of(const lumen::Mesh& mesh, std::span<const glm::uvec3> triangle
 
 }  // namespace
 
-ClusteredMesh make_clusters(const lumen::Mesh& mesh) {
+ClusteredMesh make_clusters(const lumen::Mesh& mesh, const Groups& groups) {
   ClusteredMesh result;
   const std::size_t count = mesh.triangles.size();
   result.count = std::uint32_t(count);
   if (count == 0) return result;
   result.solid = is_solid(mesh);
 
-  const std::vector<std::uint32_t> place = places(mesh);
+  const std::vector<std::uint32_t> place = grouped(places(mesh), groups);
   result.triangles.resize(count);
-  for (std::size_t i = 0; i < count; ++i) result.triangles[place[i]] = mesh.triangles[i];
+  std::vector<std::uint32_t> group(groups == nullptr ? 0 : count);
+  for (std::size_t i = 0; i < count; ++i) {
+    result.triangles[place[i]] = mesh.triangles[i];
+    if (groups != nullptr) group[place[i]] = (*groups)[i];
+  }
   result.clusters.reserve(count / cluster_size + 1);
-  for (std::uint32_t first = 0; first < count; first += cluster_size)
-    result.clusters.push_back(cluster_of(mesh, result.triangles, first, std::min(cluster_size, std::uint32_t(count) - first)));
+  for (std::uint32_t first = 0, end; first < count; first = end) {
+    end = std::min(first + cluster_size, std::uint32_t(count));
+    if (groups != nullptr) end = std::uint32_t(std::upper_bound(group.begin() + first, group.begin() + end, group[first]) - group.begin());
+    result.clusters.push_back(cluster_of(mesh, result.triangles, first, end - first));
+    if (groups != nullptr) result.clusters.back().group = group[first];
+  }
   return result;
 }
 
-std::vector<std::uint32_t> drawn_cells(const lumen::Mesh& mesh) {
-  const std::vector<std::uint32_t> place = places(mesh);
+std::vector<std::uint32_t> drawn_cells(const lumen::Mesh& mesh, const Groups& groups) {
+  const std::vector<std::uint32_t> place = grouped(places(mesh), groups);
   std::vector<std::uint32_t> cells(place.size());
   for (std::size_t i = 0; i < place.size(); ++i) cells[place[i]] = mesh.triangle_cells.empty() ? std::uint32_t(i) : mesh.triangle_cells[i];
   return cells;
 }
 
+namespace {
+
+/// Every triangle of the cluster faces away from the eye.
+bool faces_away(const Cluster& cluster, const Visibility& visibility) {
+  if (cluster.cutoff >= 1) return false;
+  if (visibility.orthographic) return glm::dot(visibility.eye, cluster.axis) >= cluster.cutoff;
+  const glm::vec3 way = cluster.center - visibility.eye;
+  return glm::dot(way, cluster.axis) >= cluster.cutoff * glm::length(way) + cluster.radius;
+}
+
+/// A ray of the eye may meet both spheres: where it looks in parallel, their shadows touch; else, the cones about them do.
+bool seen_together(const glm::vec4& opening, const Cluster& cluster, const Visibility& visibility) {
+  const glm::vec3 center(opening);
+  if (visibility.orthographic) {
+    const glm::vec3 across = center - cluster.center;
+    const float along = glm::dot(across, visibility.eye), reach = opening.w + cluster.radius;
+    return glm::dot(across, across) - along * along <= reach * reach;
+  }
+  const glm::vec3 a = center - visibility.eye, b = cluster.center - visibility.eye;
+  const float far_a = glm::length(a), far_b = glm::length(b);
+  if (far_a <= opening.w || far_b <= cluster.radius) return true;
+  const float widths = std::asin(opening.w / far_a) + std::asin(cluster.radius / far_b);
+  return widths >= glm::pi<float>() || glm::dot(a, b) >= std::cos(widths) * far_a * far_b;
+}
+
+}  // namespace
+
 void visible_runs(const ClusteredMesh& mesh, const Visibility& visibility, std::vector<Run>& runs) {
   runs.clear();
   for (const Cluster& cluster : mesh.clusters) {
-    const bool outside = std::any_of(std::begin(visibility.planes), std::end(visibility.planes), [&](const glm::vec4& plane) {
+    if (visibility.group >= 0 && cluster.group != std::uint32_t(visibility.group)) continue;
+    const bool outside = std::any_of(visibility.planes.begin(), visibility.planes.end(), [&](const glm::vec4& plane) {
       return glm::dot(glm::vec3(plane), cluster.center) + plane.w < -cluster.radius;
     });
     if (outside) continue;
-    if (visibility.skip_backs && cluster.cutoff < 1) {
-      const bool away = visibility.orthographic
-                            ? glm::dot(visibility.eye, cluster.axis) >= cluster.cutoff
-                            : glm::dot(cluster.center - visibility.eye, cluster.axis) >=
-                                  cluster.cutoff * glm::length(cluster.center - visibility.eye) + cluster.radius;
-      if (away) continue;
-    }
+    if (visibility.skip_backs && faces_away(cluster, visibility) &&
+        std::none_of(visibility.openings.begin(), visibility.openings.end(), [&](const glm::vec4& opening) { return seen_together(opening, cluster, visibility); }))
+      continue;
     if (!runs.empty() && runs.back().first + runs.back().count == cluster.first) runs.back().count += cluster.count;
     else runs.push_back({cluster.first, cluster.count});
   }
+}
+
+std::vector<Run> runs_of_group(const ClusteredMesh& mesh, int group) {
+  std::vector<Run> runs;
+  visible_runs(mesh, {.group = group}, runs);
+  return runs;
 }

@@ -1,6 +1,7 @@
 /// A mesh in clusters of neighboring triangles, so that whole clusters that cannot be seen are not drawn.
 #pragma once
 
+#include <memory>
 #include <vector>
 
 #include <lumen/mesh.h>
@@ -8,6 +9,7 @@
 /// Where a cluster lies and which way its triangles face. Object space.
 struct Cluster {
   std::uint32_t first = 0, count = 0;  ///< triangles, in the drawn order
+  std::uint32_t group = 0;             ///< of its triangles, 0 if there are no groups
   glm::vec3 center{0};
   float radius = 0;
   glm::vec3 axis{0};                   ///< unit
@@ -22,14 +24,20 @@ struct ClusteredMesh {
   bool solid = false;
 };
 
-ClusteredMesh make_clusters(const lumen::Mesh& mesh);
+/// The group of each triangle, or nothing: then all are of one group.
+using Groups = std::shared_ptr<const std::vector<std::uint32_t>>;
+
+/// A cluster holds triangles of one group, and clusters of one group stand together.
+ClusteredMesh make_clusters(const lumen::Mesh& mesh, const Groups& groups);
 /// The source cell of each triangle in the drawn order.
-std::vector<std::uint32_t> drawn_cells(const lumen::Mesh& mesh);
+std::vector<std::uint32_t> drawn_cells(const lumen::Mesh& mesh, const Groups& groups);
 
 /// What the eye may see, in object space.
 struct Visibility {
-  glm::vec4 planes[6];                 ///< of the frustum, inward, normals unit
-  bool skip_backs = false;             ///< leave out clusters that wholly face away
+  std::vector<glm::vec4> planes = {};  ///< inward, normals unit: of the frustum, and those that cut
+  int group = -1;                      ///< the only one that is seen; -1: all
+  bool skip_backs = false;             ///< leave out clusters that wholly face away, unless they are seen through an opening
+  std::vector<glm::vec4> openings = {};  ///< spheres: center, radius
   bool orthographic = false;
   glm::vec3 eye{0};                    ///< where it is; orthographic: unit direction in which it looks
 };
@@ -39,3 +47,5 @@ struct Run {
   std::uint32_t first, count;
 };
 void visible_runs(const ClusteredMesh& mesh, const Visibility& visibility, std::vector<Run>& runs);
+/// All triangles of a group, or of all if it is -1: one run, or none.
+std::vector<Run> runs_of_group(const ClusteredMesh& mesh, int group);

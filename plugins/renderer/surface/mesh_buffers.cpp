@@ -31,14 +31,14 @@ std::vector<float> shown_values(const lumen::Attribute& attribute) {
   return shown;
 }
 
-MeshBuffers::MeshBuffers(const lumen::Mesh& mesh, const lumen::Attribute* attribute) : clusters_(make_clusters(mesh)) {
+MeshBuffers::MeshBuffers(const lumen::Mesh& mesh, const lumen::Attribute* attribute, Groups groups) : groups_(std::move(groups)), clusters_(make_clusters(mesh, groups_)) {
   if (attribute == nullptr || attribute->on == lumen::Attribute::On::points) {
     upload(mesh.positions, mesh.normals, attribute == nullptr ? std::vector<float>{} : shown_values(*attribute));
     return;
   }
   // A value per cell: points are no longer shared, each corner has its cell's value.
   const std::vector<float> cell_values = shown_values(*attribute);
-  const std::vector<std::uint32_t> cells = drawn_cells(mesh);
+  const std::vector<std::uint32_t> cells = drawn_cells(mesh, groups_);
   std::vector<glm::vec3> positions, normals;
   std::vector<float> values;
   for (std::size_t i = 0; i < clusters_.triangles.size(); ++i) {
@@ -76,11 +76,14 @@ void MeshBuffers::bind(const lumen::gl::Buffer& indices) const {
   glVertexAttrib1f(2, 0);
 }
 
-void MeshBuffers::draw_all(const lumen::Mesh& mesh) {
-  if (!cells_) cells_ = buffer_of(std::span<const std::uint32_t>(drawn_cells(mesh)));
+void MeshBuffers::draw_group(const lumen::Mesh& mesh, int group, lumen::Draw& draw) {
+  if (!cells_) cells_ = buffer_of(std::span<const std::uint32_t>(drawn_cells(mesh, groups_)));
   bind(triangles_);
   glBindBufferBase(GL_SHADER_STORAGE_BUFFER, 8, cells_.name());
-  glDrawElements(GL_TRIANGLES, GLsizei(clusters_.count * 3), GL_UNSIGNED_INT, nullptr);
+  for (const Run& run : runs_of_group(clusters_, group)) {
+    draw.number_from(int(run.first));
+    glDrawElements(GL_TRIANGLES, GLsizei(run.count * 3), GL_UNSIGNED_INT, reinterpret_cast<const void*>(std::uintptr_t(run.first) * sizeof(glm::uvec3)));
+  }
 }
 
 void MeshBuffers::draw_elements(std::size_t first, std::size_t count) const {
@@ -106,7 +109,7 @@ void MeshBuffers::draw_elements(std::size_t first, std::size_t count) const {
 void MeshBuffers::draw(const Visibility& visibility) {
   visible_runs(clusters_, visibility, runs_);
   if (runs_.empty()) return;
-  if (visibility.skip_backs) glEnable(GL_CULL_FACE);
+  if (visibility.skip_backs && visibility.openings.empty()) glEnable(GL_CULL_FACE);
   if (runs_.size() == 1) {
     bind(triangles_);
     draw_elements(runs_[0].first, runs_[0].count);

@@ -5,6 +5,7 @@
 #include <string>
 
 #include <lumen/gl/vertex_array.h>
+#include <lumen/frame.h>
 #include <lumen/mesh.h>
 
 #include "clusters.h"
@@ -12,9 +13,11 @@
 class MeshBuffers {
  public:
   /// `attribute`: the array that colors, or null; its magnitude if it has several components.
-  MeshBuffers(const lumen::Mesh& mesh, const lumen::Attribute* attribute);
-  /// All triangles of the mesh that it was made from, in one call, which tells their cells apart.
-  void draw_all(const lumen::Mesh& mesh);
+  MeshBuffers(const lumen::Mesh& mesh, const lumen::Attribute* attribute, Groups groups);
+  /// Whether they were made for these groups.
+  bool made_for(const Groups& groups) const { return groups == groups_; }
+  /// All triangles of a group (-1: all) of the mesh that it was made from, in one call, which tells their cells apart.
+  void draw_group(const lumen::Mesh& mesh, int group, lumen::Draw& draw);
   /// What the visibility lets through, in few calls: a call per run costs software GL more than the triangles.
   void draw(const Visibility& visibility);
   const ClusteredMesh& clusters() const { return clusters_; }
@@ -26,6 +29,7 @@ class MeshBuffers {
   /// Triangles of the bound indices; of many parts only a few are under way at a time.
   void draw_elements(std::size_t first, std::size_t count) const;
   void upload(std::span<const glm::vec3> positions, std::span<const glm::vec3> normals, std::span<const float> values);
+  Groups groups_;
   ClusteredMesh clusters_;
   lumen::gl::Buffer positions_, normals_, values_, triangles_;
   lumen::gl::Buffer cells_;         ///< made when first wanted

@@ -24,7 +24,7 @@ struct Surface : lumen::Renderer {
   lumen::Input<lumen::Mesh> mesh{this, "mesh", {.doc = "the triangles"}};
   lumen::Property<glm::mat4> transform{this, "transform", glm::mat4(1), {.doc = "object to world"}};
   lumen::Style style{this};
-  lumen::Property<lumen::Reference> splitter{this, "splitter", {}, {.doc = "cuts the surface in parts; none: whole", .group = "Shading", .accepts = "splitter"}};
+  lumen::Property<lumen::References> splitter{this, "splitter", {}, {.doc = "cut the surface in parts, one after the other; none: whole", .group = "Shading", .accepts = "splitter"}};
   lumen::Property<std::string> color_by{this, "color_by", {}, {.doc = "name of the array that gives the diffuse color; empty: the material's", .group = "Color by array"}};
   lumen::Property<bool> colored{this, "colored", false, {.doc = "show the array's colors; follows color_by unless set", .group = "Color by array", .when = "color_by", .constant = true}};
   lumen::Property<lumen::TransferFunction> color_map{this, "color_map", viridis({0, 1}), {.doc = "value to color; spans the array's range unless set", .group = "Color by array", .when = "colored"}};
@@ -47,11 +47,11 @@ struct Surface : lumen::Renderer {
   void draw(lumen::Draw& draw) override {
     const auto data = mesh.get();
     if (data == nullptr || data->triangles.empty()) return;
-    if (buffers_ == nullptr) buffers_ = std::make_unique<MeshBuffers>(*data, attribute());
+    if (buffers_ == nullptr || !buffers_->made_for(draw.groups())) buffers_ = std::make_unique<MeshBuffers>(*data, attribute(), draw.groups());
     for (int part = 0; part < int(draw.parts().size()); ++part) {
       draw.use("renderer/surface.glsl", part);
-      if (draw.identifies()) buffers_->draw_all(*data);  // primitives are numbered through
-      else buffers_->draw(visibility(draw, draw.parts()[std::size_t(part)]));
+      if (draw.identifies()) buffers_->draw_group(*data, draw.parts()[std::size_t(part)].group, draw);  // primitives are numbered through
+      else buffers_->draw(visibility(draw, part));
     }
   }
 
@@ -76,27 +76,37 @@ struct Surface : lumen::Renderer {
     color_map.set_default(viridis(range));
   }
 
-  Visibility visibility(const lumen::Draw& draw, const lumen::Part& part) const {
-    Visibility visible;
+  Visibility visibility(const lumen::Draw& draw, int index) const {
+    const lumen::Part& part = draw.parts()[std::size_t(index)];
+    Visibility visible{.group = part.group};
+    const auto keep = [&](const glm::vec4& plane) { visible.planes.push_back(plane / std::max(glm::length(glm::vec3(plane)), 1e-30f)); };
     const glm::mat4 object_to_world = part.transform * transform.get();
     const glm::mat4 rows = glm::transpose(draw.world_to_clip() * object_to_world);
-    for (int i = 0; i < 6; ++i) {
-      const glm::vec4 plane = i % 2 ? rows[3] - rows[i / 2] : rows[3] + rows[i / 2];
-      visible.planes[i] = plane / std::max(glm::length(glm::vec3(plane)), 1e-30f);
-    }
+    for (int i = 0; i < 6; ++i) keep(i % 2 ? rows[3] - rows[i / 2] : rows[3] + rows[i / 2]);
     const glm::mat4 to_object = glm::inverse(object_to_world);
     const glm::mat4 eye_to_world = glm::inverse(draw.camera().view);
     visible.orthographic = draw.camera().orthographic;
-    visible.skip_backs = draw.front_suffices() && buffers_->clusters().solid && glm::determinant(glm::mat3(object_to_world)) > 0;
-    if (visible.orthographic) {
-      visible.eye = glm::normalize(glm::mat3(to_object) * glm::vec3(-eye_to_world[2]));
-    } else {
-      visible.eye = glm::vec3(to_object * eye_to_world[3]);
-      const lumen::Bounds box = mesh.get()->bounds();
-      const bool inside = glm::all(glm::greaterThan(visible.eye, box.min)) && glm::all(glm::lessThan(visible.eye, box.max));
-      visible.skip_backs = visible.skip_backs && !inside;  // from inside, back faces are what one sees
+    visible.eye = visible.orthographic ? glm::normalize(glm::mat3(to_object) * glm::vec3(-eye_to_world[2])) : glm::vec3(to_object * eye_to_world[3]);
+    const bool turned_outward = buffers_->clusters().solid && glm::determinant(glm::mat3(object_to_world)) > 0;
+    visible.skip_backs = turned_outward && draw.backs(index) != lumen::Draw::Backs::anywhere && !inside(visible);
+    bool outside_cut = false;  // the eye is where the part was cut away
+    for (const glm::vec4& plane : part.planes) {
+      const glm::vec4 local = glm::transpose(transform.get()) * plane;
+      outside_cut = outside_cut || (visible.orthographic ? glm::dot(glm::vec3(local), visible.eye) > 0 : glm::dot(local, glm::vec4(visible.eye, 1)) < 0);
+      keep(local);
+    }
+    if (visible.skip_backs && draw.backs(index) == lumen::Draw::Backs::behind_openings && outside_cut) {
+      const glm::mat4 world_to_object = glm::inverse(transform.get());
+      const float scale = std::max({glm::length(world_to_object[0]), glm::length(world_to_object[1]), glm::length(world_to_object[2])});
+      for (const glm::vec4& sphere : *part.openings) visible.openings.emplace_back(glm::vec3(world_to_object * glm::vec4(glm::vec3(sphere), 1)), sphere.w * scale);
     }
     return visible;
+  }
+
+  /// From inside, back faces are what one sees.
+  bool inside(const Visibility& visible) const {
+    const lumen::Bounds box = mesh.get()->bounds();
+    return !visible.orthographic && glm::all(glm::greaterThan(visible.eye, box.min)) && glm::all(glm::lessThan(visible.eye, box.max));
   }
 
   std::unique_ptr<MeshBuffers> buffers_;

@@ -1,0 +1,27 @@
+/// Triangles in groups: the connected parts of a mesh, or those of equal values of an array.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <vector>
+
+#include <lumen/mesh.h>
+
+namespace lumen {
+
+struct Grouping {
+  std::vector<std::uint32_t> of_triangle;  ///< 0..count - 1
+  std::uint32_t count = 0;
+  std::vector<float> values = {};          ///< of the array, by group, ascending; empty: connected parts
+};
+
+/// Connected parts, numbered in the order of their first triangles: triangles that share a point number are connected.
+Grouping connected_parts(const Mesh& mesh);
+/// Equal values of an array's first component; that of a triangle's first corner if the array is one of points. NaN is a
+/// group of its own, the last. Throws Error if there are more than 65536 groups.
+Grouping groups_by(const Mesh& mesh, const Attribute& attribute);
+
+/// The first triangle of a source cell, or -1.
+std::int64_t triangle_of_cell(const Mesh& mesh, int cell);
+
+}  // namespace lumen
