@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include <glm/geometric.hpp>
 
@@ -14,12 +15,11 @@ namespace lumen {
 namespace {
 
 std::uint32_t largest(std::span<const std::uint32_t> numbers) {
-  std::uint32_t lanes[4] = {0, 0, 0, 0};
-  std::size_t index = 0;
-  for (; index + 4 <= numbers.size(); index += 4)
-    for (int lane = 0; lane < 4; ++lane) lanes[lane] = std::max(lanes[lane], numbers[index + lane]);
-  for (; index < numbers.size(); ++index) lanes[0] = std::max(lanes[0], numbers[index]);
-  return std::max(std::max(lanes[0], lanes[1]), std::max(lanes[2], lanes[3]));
+  // Plain processors compare signed numbers only; turned by half the range, they keep their order as such.
+  constexpr std::uint32_t half = 1u << 31;
+  std::int32_t most = std::numeric_limits<std::int32_t>::min();
+  for (const std::uint32_t number : numbers) most = std::max(most, static_cast<std::int32_t>(number - half));
+  return static_cast<std::uint32_t>(most) + half;
 }
 
 }  // namespace

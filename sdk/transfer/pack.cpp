@@ -8,6 +8,7 @@
 
 #include <fcntl.h>
 #include <sys/mman.h>
+#include <unistd.h>
 
 #include <transfer/layout.h>
 #include <lumen/error.h>
@@ -39,17 +40,15 @@ class Packer {
 
   std::uint64_t size() const { return size_; }
 
-  void write(std::byte* memory) const {
+  /// Hands out the bytes in order: each piece with its offset. What lies between them is padding.
+  template <class Write> void write(const Write& to) const {
     const TransferHeader header{transfer_magic, transfer_version, static_cast<std::uint32_t>(kind_), size_, pieces_.size(), origin_offset_, origin_.size()};
-    std::memcpy(memory, &header, sizeof header);
-    std::byte* entry = memory + sizeof header;
-    std::copy(origin_.begin(), origin_.end(), reinterpret_cast<char*>(memory + origin_offset_));
-    for (const Piece& piece : pieces_) {
-      std::memcpy(entry, &piece.entry, sizeof piece.entry);
-      entry += sizeof piece.entry;
-      std::copy(piece.name.begin(), piece.name.end(), reinterpret_cast<char*>(memory + piece.entry.name_offset));
-      if (piece.bytes != 0) std::memcpy(memory + piece.entry.offset, piece.data, piece.bytes);
-    }
+    std::string head(reinterpret_cast<const char*>(&header), sizeof header);
+    for (const Piece& piece : pieces_) head.append(reinterpret_cast<const char*>(&piece.entry), sizeof piece.entry);
+    head += origin_;
+    for (const Piece& piece : pieces_) head += piece.name;
+    to(0, head.data(), head.size());
+    for (const Piece& piece : pieces_) to(piece.entry.offset, piece.data, piece.bytes);
   }
 
  private:
@@ -143,15 +142,19 @@ Descriptor pack(const Data& data) {
 
   Descriptor memory(::memfd_create("lumen-data", MFD_CLOEXEC | MFD_ALLOW_SEALING));
   if (!memory) fail("no shared memory");
-  // Allocates as well, so that a full memory is an error here and not a signal below.
-  if (const int error = ::posix_fallocate(memory.get(), 0, static_cast<off_t>(packer.size())); error != 0) {
-    errno = error;
-    fail(("no " + grouped(packer.size()) + " bytes of shared memory").c_str());
-  }
-  void* const mapping = ::mmap(nullptr, packer.size(), PROT_READ | PROT_WRITE, MAP_SHARED, memory.get(), 0);
-  if (mapping == MAP_FAILED) fail("shared memory cannot be mapped");
-  packer.write(static_cast<std::byte*>(mapping));
-  ::munmap(mapping, packer.size());
+  if (::ftruncate(memory.get(), static_cast<off_t>(packer.size())) != 0) fail("shared memory cannot grow");
+  // Written, not mapped: that takes no page faults, and a full memory is an error here and not a signal.
+  packer.write([&](std::uint64_t offset, const void* data, std::uint64_t bytes) {
+    const auto* from = static_cast<const std::byte*>(data);
+    while (bytes != 0) {
+      const ssize_t written = ::pwrite(memory.get(), from, bytes, static_cast<off_t>(offset));
+      if (written < 0 && errno == EINTR) continue;
+      if (written <= 0) fail(("no " + grouped(packer.size()) + " bytes of shared memory").c_str());
+      from += written;
+      offset += static_cast<std::uint64_t>(written);
+      bytes -= static_cast<std::uint64_t>(written);
+    }
+  });
   if (::fcntl(memory.get(), F_ADD_SEALS, F_SEAL_SHRINK | F_SEAL_GROW | F_SEAL_WRITE | F_SEAL_SEAL) != 0) fail("shared memory cannot be sealed");
   return memory;
 }

@@ -28,51 +28,61 @@ std::uint64_t scrambled(std::uint64_t x) {  // splitmix64, Steele et al. 2014
   return x ^ (x >> 31);
 }
 
-/// Every edge is used as often in one direction as in the other: random numbers of the edges, signed by direction, cancel.
-bool is_closed(const lumen::Mesh& mesh, const std::vector<std::uint32_t>& point) {
-  std::uint64_t sum = 0;
-  for (const glm::uvec3& triangle : mesh.triangles) {
-    for (int i = 0; i < 3; ++i) {
-      const std::uint64_t a = point[triangle[i]], b = point[triangle[(i + 1) % 3]];
-      if (a < b) sum += scrambled(a << 32 | b);
-      if (b < a) sum -= scrambled(b << 32 | a);
-    }
-  }
-  return sum == 0;
+/// A random number of the edge, signed by its direction; 0 if it has no length. Without branches: directions cannot be guessed.
+std::uint64_t signed_number(std::uint64_t a, std::uint64_t b) {
+  const std::uint64_t direction = std::uint64_t(a < b) - std::uint64_t(b < a);
+  return scrambled(std::min(a, b) << 32 | std::max(a, b)) * direction;
 }
 
-/// Every connected part encloses a positive volume: it is turned outward.
-bool is_outward(const lumen::Mesh& mesh, const std::vector<std::uint32_t>& point) {
-  std::vector<std::uint32_t> parent(mesh.positions.size());
-  std::iota(parent.begin(), parent.end(), 0u);
-  const auto root = [&](std::uint32_t i) {
-    while (parent[i] != i) i = parent[i] = parent[parent[i]];
+/// What a surface encloses, part by connected part.
+class Enclosure {
+ public:
+  /// `point`: the number of each position.
+  template <class Point>
+  Enclosure(const lumen::Mesh& mesh, const Point& point) : part_(mesh.positions.size()), volume_(mesh.positions.size(), 0.0) {
+    std::iota(part_.begin(), part_.end(), 0u);
+    const glm::dvec3 origin(mesh.bounds().center());
+    for (const glm::uvec3& triangle : mesh.triangles) {
+      const std::uint32_t i = point(triangle.x), j = point(triangle.y), k = point(triangle.z);
+      edges_ += signed_number(i, j) + signed_number(j, k) + signed_number(k, i);
+      const std::uint32_t part = root(i);
+      if (part_[j] != part) part_[root(j)] = part;
+      if (part_[k] != part) part_[root(k)] = part;
+      const glm::dvec3 a = glm::dvec3(mesh.positions[triangle.x]) - origin, b = glm::dvec3(mesh.positions[triangle.y]) - origin,
+                       c = glm::dvec3(mesh.positions[triangle.z]) - origin;
+      volume_[part] += glm::dot(a, glm::cross(b, c));
+    }
+  }
+
+  /// Every edge is used as often in one direction as in the other: their numbers cancel.
+  bool closed() const { return edges_ == 0; }
+
+  /// Every part encloses a positive volume: it is turned outward.
+  bool outward() {
+    for (std::uint32_t i = 0; i < part_.size(); ++i)  // parts grew together after something was added to them
+      if (const std::uint32_t part = root(i); part != i) volume_[part] += volume_[i];
+    for (std::uint32_t i = 0; i < part_.size(); ++i)
+      if (part_[i] == i && volume_[i] < 0) return false;
+    return true;
+  }
+
+ private:
+  std::uint32_t root(std::uint32_t i) {
+    while (part_[i] != i) i = part_[i] = part_[part_[i]];
     return i;
-  };
-  for (const glm::uvec3& triangle : mesh.triangles) {
-    const std::uint32_t a = root(point[triangle.x]);
-    parent[root(point[triangle.y])] = a;
-    parent[root(point[triangle.z])] = a;
   }
-  std::vector<double> volume(mesh.positions.size(), 0.0);
-  const glm::dvec3 origin(mesh.bounds().center());
-  for (const glm::uvec3& triangle : mesh.triangles) {
-    const glm::dvec3 a = glm::dvec3(mesh.positions[triangle.x]) - origin, b = glm::dvec3(mesh.positions[triangle.y]) - origin,
-                     c = glm::dvec3(mesh.positions[triangle.z]) - origin;
-    volume[root(point[triangle.x])] += glm::dot(a, glm::cross(b, c));
-  }
-  return std::all_of(volume.begin(), volume.end(), [](double v) { return v >= 0; });
-}
+
+  std::uint64_t edges_ = 0;
+  std::vector<std::uint32_t> part_;  ///< a forest: the root of a tree stands for the part
+  std::vector<double> volume_;       ///< six times, of what was added to a part while this was its root
+};
 
 /// Closed and outward. Points are merged only where the mesh is open without it: that takes longer than all the rest.
 bool is_solid(const lumen::Mesh& mesh) {
-  std::vector<std::uint32_t> points(mesh.positions.size());
-  std::iota(points.begin(), points.end(), 0u);
-  if (!is_closed(mesh, points)) {
-    points = merged_points(mesh);
-    if (!is_closed(mesh, points)) return false;
-  }
-  return is_outward(mesh, points);
+  if (Enclosure whole(mesh, [](std::uint32_t i) { return i; }); whole.closed()) return whole.outward();
+  const std::vector<std::uint32_t> merged = merged_points(mesh);
+  Enclosure whole(mesh, [&](std::uint32_t i) { return merged[i]; });
+  return whole.closed() && whole.outward();
 }
 
 /// Bits of 0..31, each followed by two zeros.
@@ -125,25 +135,25 @@ std::vector<std::uint32_t> grouped(std::vector<std::uint32_t> place, const Group
 /// The sphere about the box of the points, and the cone about the mean direction.
 Cluster cluster_of(const lumen::Mesh& mesh, std::span<const glm::uvec3> triangles, std::uint32_t first, std::uint32_t count) {
   Cluster cluster{.first = first, .count = count};
+  std::array<glm::vec3, 3 * cluster_size> corners;  // gathered once
+  for (std::uint32_t i = 0; i < count; ++i)
+    for (int corner = 0; corner < 3; ++corner) corners[3 * i + std::uint32_t(corner)] = mesh.positions[triangles[first + i][corner]];
+  const std::span<const glm::vec3> used(corners.data(), 3 * std::size_t(count));
   std::array<glm::vec3, cluster_size> normals;
   glm::vec3 low(std::numeric_limits<float>::infinity()), high(-low), sum(0);
+  for (const glm::vec3& point : used) {
+    low = glm::min(low, point);
+    high = glm::max(high, point);
+  }
   for (std::uint32_t i = 0; i < count; ++i) {
-    const glm::uvec3& t = triangles[first + i];
-    const glm::vec3 &p = mesh.positions[t.x], &q = mesh.positions[t.y], &r = mesh.positions[t.z];
-    low = glm::min(low, glm::min(p, glm::min(q, r)));
-    high = glm::max(high, glm::max(p, glm::max(q, r)));
-    const glm::vec3 normal = glm::cross(q - p, r - p);
+    const glm::vec3 &p = corners[3 * i], normal = glm::cross(corners[3 * i + 1] - p, corners[3 * i + 2] - p);
     const float length = glm::length(normal);
     normals[i] = length > 0 ? normal / length : glm::vec3(0);  // nobody sees a triangle without area
     sum += normals[i];
   }
   cluster.center = 0.5f * (low + high);
   float square = 0, narrowest = 1;
-  for (std::uint32_t i = 0; i < count; ++i)
-    for (int corner = 0; corner < 3; ++corner) {
-      const glm::vec3 away = mesh.positions[triangles[first + i][corner]] - cluster.center;
-      square = std::max(square, glm::dot(away, away));
-    }
+  for (const glm::vec3& point : used) square = std::max(square, glm::dot(point - cluster.center, point - cluster.center));
   cluster.radius = std::sqrt(square);
   if (glm::length(sum) == 0) return cluster;
   cluster.axis = glm::normalize(sum);
