@@ -41,9 +41,11 @@ std::shared_ptr<Mesh> sphere(int segments, float radius) {
   Parts parts;
   for (int ring = 0; ring <= rings; ++ring) {
     const double latitude = std::numbers::pi * ring / rings;
+    // Exactly, so that the points of a pole and of the seam are at one place and the surface is closed.
+    const double around = ring % rings == 0 ? 0 : std::sin(latitude);
     for (int segment = 0; segment <= segments; ++segment) {
-      const double longitude = 2 * std::numbers::pi * segment / segments;
-      const glm::vec3 normal(std::sin(latitude) * std::cos(longitude), std::cos(latitude), -std::sin(latitude) * std::sin(longitude));
+      const double longitude = 2 * std::numbers::pi * (segment % segments) / segments;
+      const glm::vec3 normal(around * std::cos(longitude), std::cos(latitude), -around * std::sin(longitude));
       parts.normals.push_back(normal);
       parts.positions.push_back(radius * normal);
     }

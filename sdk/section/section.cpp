@@ -3,6 +3,7 @@
 #include <lumen/section.h>
 
 #include <algorithm>
+#include <string>
 #include <unordered_map>
 
 namespace lumen {
@@ -16,16 +17,31 @@ struct Line {
   bool used = false;
 };
 
+/// One point for each place: seams of duplicated points do not tear the surface apart.
+class Places {
+ public:
+  explicit Places(const Mesh& mesh) : mesh_(mesh) {}
+  std::uint32_t first_at(std::uint32_t point) {
+    const glm::vec3 place = mesh_.positions[point] + 0.0f;  // -0 is 0
+    return first_.try_emplace(std::string(reinterpret_cast<const char*>(&place), sizeof place), point).first->second;
+  }
+
+ private:
+  const Mesh& mesh_;
+  std::unordered_map<std::string, std::uint32_t> first_;
+};
+
 /// The lines of all crossing triangles, directed so that the solid of an outward mesh is on their left about the plane's normal.
 std::vector<Line> lines_of(const Mesh& mesh, const std::vector<bool>& positive, std::span<const std::uint32_t> groups, int group) {
   std::vector<Line> lines;
+  Places places(mesh);
   for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
     if (group >= 0 && groups[i] != std::uint32_t(group)) continue;
     const glm::uvec3& t = mesh.triangles[i];
     const bool side[] = {positive[t.x], positive[t.y], positive[t.z]};
     if (side[0] == side[1] && side[1] == side[2]) continue;
     const int odd = side[1] == side[2] ? 0 : side[0] == side[2] ? 1 : 2;  // the corner that is alone on its side
-    const std::uint32_t alone = t[odd], next = t[(odd + 1) % 3], last = t[(odd + 2) % 3];
+    const std::uint32_t alone = places.first_at(t[odd]), next = places.first_at(t[(odd + 1) % 3]), last = places.first_at(t[(odd + 2) % 3]);
     std::uint64_t from = edge_of(alone, last), to = edge_of(alone, next);
     if (!side[odd]) std::swap(from, to);
     lines.push_back({from, to});
@@ -48,11 +64,14 @@ Section section_of(const Mesh& mesh, const glm::mat4& object_to_world, const glm
     return glm::vec3(object_to_world * glm::vec4(glm::mix(a, b, share), 1));
   };
 
-  std::unordered_multimap<std::uint64_t, std::size_t> beginning;
-  beginning.reserve(lines.size());
-  for (std::size_t i = 0; i < lines.size(); ++i) beginning.emplace(lines[i].from, i);
-  const auto follow = [&](std::uint64_t edge) -> Line* {
-    for (auto [at, end] = beginning.equal_range(edge); at != end; ++at)
+  std::unordered_multimap<std::uint64_t, std::size_t> touching;
+  touching.reserve(2 * lines.size());
+  for (std::size_t i = 0; i < lines.size(); ++i) {
+    touching.emplace(lines[i].from, i);
+    touching.emplace(lines[i].to, i);
+  }
+  const auto next_at = [&](std::uint64_t edge) -> Line* {
+    for (auto [at, end] = touching.equal_range(edge); at != end; ++at)
       if (!lines[at->second].used) return &lines[at->second];
     return nullptr;
   };
@@ -61,14 +80,21 @@ Section section_of(const Mesh& mesh, const glm::mat4& object_to_world, const glm
   for (Line& first : lines) {
     if (first.used) continue;
     std::vector<glm::vec3> outline;
-    Line* line = &first;
-    for (; line != nullptr; line = line->to == first.from ? nullptr : follow(line->to)) {
+    // Triangles may be turned inside out: the outline runs as most of its lines do.
+    long forward = 0;
+    std::uint64_t at = first.from;
+    for (Line* line = &first; line != nullptr; line = at == first.from ? nullptr : next_at(at)) {
       line->used = true;
-      outline.push_back(point_on(line->from));
-      if (line->to == first.from) break;
+      outline.push_back(point_on(at));
+      forward += line->from == at ? 1 : -1;
+      at = line->from == at ? line->to : line->from;
     }
-    if (line == nullptr) section.closed = false;
-    else if (outline.size() >= 3) section.outlines.push_back(std::move(outline));
+    if (at != first.from) {
+      section.closed = false;
+    } else if (outline.size() >= 3) {
+      if (forward < 0) std::reverse(outline.begin(), outline.end());
+      section.outlines.push_back(std::move(outline));
+    }
   }
   // A matrix that mirrors turns every outline around.
   if (glm::determinant(glm::mat3(object_to_world)) < 0)

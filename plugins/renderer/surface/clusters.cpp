@@ -8,82 +8,12 @@
 #include <span>
 
 #include <glm/gtc/constants.hpp>
-#include <meshoptimizer.h>
+
+#include "orientation.h"
 
 namespace {
 
 constexpr std::uint32_t cluster_size = 128;
-
-/// Positions that are equal get one number, so that seams of duplicated points do not tear the surface apart.
-std::vector<std::uint32_t> merged_points(const lumen::Mesh& mesh) {
-  std::vector<std::uint32_t> remap(mesh.positions.size());
-  meshopt_generateVertexRemap(remap.data(), nullptr, mesh.positions.size(), mesh.positions.data(), mesh.positions.size(), sizeof(glm::vec3));
-  return remap;
-}
-
-std::uint64_t scrambled(std::uint64_t x) {  // splitmix64, Steele et al. 2014
-  x += 0x9e3779b97f4a7c15ull;
-  x = (x ^ (x >> 30)) * 0xbf58476d1ce4e5b9ull;
-  x = (x ^ (x >> 27)) * 0x94d049bb133111ebull;
-  return x ^ (x >> 31);
-}
-
-/// A random number of the edge, signed by its direction; 0 if it has no length. Without branches: directions cannot be guessed.
-std::uint64_t signed_number(std::uint64_t a, std::uint64_t b) {
-  const std::uint64_t direction = std::uint64_t(a < b) - std::uint64_t(b < a);
-  return scrambled(std::min(a, b) << 32 | std::max(a, b)) * direction;
-}
-
-/// What a surface encloses, part by connected part.
-class Enclosure {
- public:
-  /// `point`: the number of each position.
-  template <class Point>
-  Enclosure(const lumen::Mesh& mesh, const Point& point) : part_(mesh.positions.size()), volume_(mesh.positions.size(), 0.0) {
-    std::iota(part_.begin(), part_.end(), 0u);
-    const glm::dvec3 origin(mesh.bounds().center());
-    for (const glm::uvec3& triangle : mesh.triangles) {
-      const std::uint32_t i = point(triangle.x), j = point(triangle.y), k = point(triangle.z);
-      edges_ += signed_number(i, j) + signed_number(j, k) + signed_number(k, i);
-      const std::uint32_t part = root(i);
-      if (part_[j] != part) part_[root(j)] = part;
-      if (part_[k] != part) part_[root(k)] = part;
-      const glm::dvec3 a = glm::dvec3(mesh.positions[triangle.x]) - origin, b = glm::dvec3(mesh.positions[triangle.y]) - origin,
-                       c = glm::dvec3(mesh.positions[triangle.z]) - origin;
-      volume_[part] += glm::dot(a, glm::cross(b, c));
-    }
-  }
-
-  /// Every edge is used as often in one direction as in the other: their numbers cancel.
-  bool closed() const { return edges_ == 0; }
-
-  /// Every part encloses a positive volume: it is turned outward.
-  bool outward() {
-    for (std::uint32_t i = 0; i < part_.size(); ++i)  // parts grew together after something was added to them
-      if (const std::uint32_t part = root(i); part != i) volume_[part] += volume_[i];
-    for (std::uint32_t i = 0; i < part_.size(); ++i)
-      if (part_[i] == i && volume_[i] < 0) return false;
-    return true;
-  }
-
- private:
-  std::uint32_t root(std::uint32_t i) {
-    while (part_[i] != i) i = part_[i] = part_[part_[i]];
-    return i;
-  }
-
-  std::uint64_t edges_ = 0;
-  std::vector<std::uint32_t> part_;  ///< a forest: the root of a tree stands for the part
-  std::vector<double> volume_;       ///< six times, of what was added to a part while this was its root
-};
-
-/// Closed and outward. Points are merged only where the mesh is open without it: that takes longer than all the rest.
-bool is_solid(const lumen::Mesh& mesh) {
-  if (Enclosure whole(mesh, [](std::uint32_t i) { return i; }); whole.closed()) return whole.outward();
-  const std::vector<std::uint32_t> merged = merged_points(mesh);
-  Enclosure whole(mesh, [&](std::uint32_t i) { return merged[i]; });
-  return whole.closed() && whole.outward();
-}
 
 /// Bits of 0..31, each followed by two zeros.
 std::uint32_t spread(std::uint32_t x) {
@@ -171,13 +101,15 @@ ClusteredMesh make_clusters(const lumen::Mesh& mesh, const Groups& groups) {
   const std::size_t count = mesh.triangles.size();
   result.count = std::uint32_t(count);
   if (count == 0) return result;
-  result.solid = is_solid(mesh);
+  const Orientation orientation = orientation_of(mesh);
+  result.solid = orientation.solid;
 
   const std::vector<std::uint32_t> place = grouped(places(mesh), groups);
   result.triangles.resize(count);
   std::vector<std::uint32_t> group(groups == nullptr ? 0 : count);
   for (std::size_t i = 0; i < count; ++i) {
-    result.triangles[place[i]] = mesh.triangles[i];
+    const glm::uvec3& triangle = mesh.triangles[i];
+    result.triangles[place[i]] = !orientation.turned.empty() && orientation.turned[i] ? glm::uvec3(triangle.x, triangle.z, triangle.y) : triangle;
     if (groups != nullptr) group[place[i]] = (*groups)[i];
   }
   result.clusters.reserve(count / cluster_size + 1);
