@@ -109,6 +109,7 @@ void draw_surface(const FrameContext& context, const SceneSurface& surface, cons
 
 std::uint64_t surfaces_key(const FrameContext& context, const std::vector<SceneSurface>& surfaces) {
   Hash hash;
+  if (surfaces.empty()) return hash.add(context.geometry.size()).value();  // nothing, wherever one looks
   hash.add(context.geometry_key);
   for (const SceneSurface& surface : surfaces) {
     hash.add(surface.instance->number()).add(surface.instance->draw_revision());
