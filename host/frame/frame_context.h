@@ -5,6 +5,7 @@
 
 #include "frame/cap_store.h"
 #include "frame/layer_store.h"
+#include "frame/light_block.h"
 #include "frame/pass_log.h"
 #include "frame/shader_library.h"
 #include "frame/shading.h"
@@ -31,7 +32,7 @@ struct FrameContext {
   glm::vec4 to_centers;             ///< uv of the centers' layers = this set's uv * xy + zw
   std::uint64_t geometry_key;       ///< differs with camera, window and scene extent
   std::uint64_t light_key;          ///< differs with the lights
-  int lights;                       ///< how many
+  LightKinds lights;
   int set;                          ///< 0: pixel centers; 1: antialiasing's samples, which are not kept
 
   /// The blocks and the value table, for a program that is about to draw.

@@ -10,6 +10,7 @@ const lumen::gl::Texture& LayerStore::allocate(std::string_view name, lumen::For
     layer.texture = lumen::gl::Texture();  // the old memory goes first
     layer.texture = lumen::gl::Texture(format, size);
     layer.revision = ++clock_;
+    layer.nonzero = {glm::ivec2(0), size};
   }
   return layer.texture;
 }

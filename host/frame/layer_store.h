@@ -8,6 +8,8 @@
 
 #include <lumen/gl/texture.h>
 
+#include "frame/view_geometry.h"
+
 namespace lumenshop {
 
 class LayerStore {
@@ -19,6 +21,8 @@ class LayerStore {
   std::uint64_t revision(std::string_view name) const;  ///< 0 = not there
   std::size_t bytes(std::string_view prefix) const;     ///< of all layers whose name begins so
   void drawn(std::string_view name);                    ///< its contents are new
+  /// Where an allocated layer may hold anything but zero: everywhere, until who draws it knows better.
+  PixelBox& nonzero(std::string_view name) { return layers_.find(name)->second.nonzero; }
   void drop(std::string_view name);
   void keep(std::initializer_list<std::string_view> names);  ///< drops all others
   void clear() { layers_.clear(); }
@@ -27,6 +31,7 @@ class LayerStore {
   struct Layer {
     lumen::gl::Texture texture;
     std::uint64_t revision = 0;
+    PixelBox nonzero;
   };
   std::map<std::string, Layer, std::less<>> layers_;
   std::uint64_t clock_ = 0;

@@ -40,22 +40,24 @@ void run_lighting_pass(const FrameContext& context, LightingOutput output) {
                                       .add(context.lights)
                                       .add(only == nullptr)
                                       .value();
-  const std::uint64_t key = Hash()
-                                .add(signature)
-                                .add(context.geometry_key)
-                                .add(context.light_key)
-                                .add(context.shading.value_revision())
-                                .add(layers.revision("normal"))
-                                .add(visibility.layer.empty() ? 0 : context.centers.revision(visibility.layer))
-                                .add(context.shaders.revision("host/lighting.glsl"))
-                                .value();
-  context.log.run("lighting", context.set, key, [&] {
+  const bool nothing_to_light = context.scene.opaque.empty();
+  Hash key;
+  key.add(size).add(output).add(layers.revision("normal"));
+  if (!nothing_to_light)
+    key.add(signature)
+        .add(context.geometry_key)
+        .add(context.light_key)
+        .add(context.shading.value_revision())
+        .add(visibility.layer.empty() ? 0 : context.centers.revision(visibility.layer))
+        .add(context.shaders.revision("host/lighting.glsl"));
+  context.log.run("lighting", context.set, key.value(), [&] {
     const lumen::gl::Framebuffer target(targets, layers.find("depth_buffer"));
     target.bind();
     glViewport(0, 0, size.x, size.y);
     const float nothing[4] = {};
     for (std::size_t i = 0; i < targets.size(); ++i) glClearNamedFramebufferfv(target.name(), GL_COLOR, GLint(i), nothing);
     for (const char* name : names) layers.drawn(name);
+    if (nothing_to_light) return;
     Program* program = context.shaders.program("lighting", signature, [&](ProgramText& vertex, ProgramText& fragment) {
       vertex.generated(fullscreen_triangle);
       fragment.generated("uniform sampler2D lumen_layer_normal, lumen_layer_depth, lumen_layer_albedo, lumen_visibility_layer;\nuniform vec4 lumen_to_centers;");

@@ -21,7 +21,8 @@ PluginPass::PluginPass(const FrameContext& context, Instance& instance, PluginPa
       memory_(memory),
       reads_(std::move(reads)),
       writes_(std::move(writes)),
-      name_(name.empty() ? instance.id() : std::move(name)) {}
+      name_(name.empty() ? instance.id() : std::move(name)),
+      pixels_{glm::ivec2(0), size()} {}
 
 std::string PluginPass::stored(const LayerNames& names, const std::string& layer) const {
   const auto found = names.find(layer);
@@ -57,7 +58,7 @@ bool PluginPass::run(const std::function<void(PluginPass&)>& draw) {
     if (instance_.kind() != lumen::Kind::splitter) instance_.clear_reports();  // these report while they split
     memory_.unfinished = false;
     try {
-      draw(*this);
+      draw_within([&] { draw(*this); });
     } catch (const std::exception& error) {
       instance_.report(lumen::Severity::error, error.what());
     }
@@ -66,6 +67,16 @@ bool PluginPass::run(const std::function<void(PluginPass&)>& draw) {
     memory_.base_key = context_.set == 0 ? key() : memory_.base_key;
     context_.log.set_key(name_, context_.set, Hash().add(key()).add(memory_.iteration).value());
   });
+}
+
+void PluginPass::draw_within(const std::function<void()>& draw) {
+  if (instance_.kind() != lumen::Kind::transparency) return draw();
+  // Where transparent surfaces are, and where they were: outside, what it writes is zero already.
+  pixels_ = context_.geometry.transparent;
+  for (const lumen::Writes* writes : instance_.plugin()->writes()) pixels_ = united(pixels_, nonzero(*writes));
+  for (const lumen::Writes* writes : instance_.plugin()->writes()) nonzero(*writes) = pixels_;
+  draw();
+  for (const lumen::Writes* writes : instance_.plugin()->writes()) nonzero(*writes) = context_.geometry.transparent;
 }
 
 double PluginPass::time() const {

@@ -59,17 +59,22 @@ class PluginPass final : public lumen::TransparencyFrame {
 
  private:
   std::uint64_t key() const;
+  /// Calls it with `pixels_` set, and remembers what it has drawn.
+  void draw_within(const std::function<void()>& draw);
   std::string stored(const LayerNames& names, const std::string& layer) const;
   std::string accessors() const;
   void use_file(const std::string& file);
   void bind_layers(Program& program) const;
   void write_surfaces_text(ProgramText& text, const std::string& file, const lumen::SurfacesPass& pass, const Instance& renderer) const;
 
+  PixelBox& nonzero(const lumen::Writes& writes) const { return context_.layers.nonzero(stored(writes_, writes.layer())); }
+
   const FrameContext& context_;
   Instance& instance_;
   PluginPassMemory& memory_;
   LayerNames reads_, writes_;
   std::string name_;
+  PixelBox pixels_;              ///< where it may draw into textures of the layers' size
 };
 
 }  // namespace lumenshop

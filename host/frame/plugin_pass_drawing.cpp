@@ -1,5 +1,6 @@
 /// What a plugin pass draws: full-screen triangles and transparent surfaces.
 #include <algorithm>
+#include <optional>
 
 #include <lumen/gl/framebuffer.h>
 
@@ -37,6 +38,18 @@ void set_blend(GLuint target, lumen::Blend blend) {
     case lumen::Blend::maximum: glBlendFunci(target, GL_ONE, GL_ONE); break;
   }
 }
+
+/// What is drawn and cleared meanwhile stays within a box.
+class Scissor {
+ public:
+  explicit Scissor(const PixelBox& box) {
+    glEnable(GL_SCISSOR_TEST);
+    glScissor(box.begin.x, box.begin.y, std::max(box.size().x, 0), std::max(box.size().y, 0));
+  }
+  ~Scissor() { glDisable(GL_SCISSOR_TEST); }
+  Scissor(const Scissor&) = delete;
+  Scissor& operator=(const Scissor&) = delete;
+};
 
 }  // namespace
 
@@ -106,6 +119,8 @@ void PluginPass::fullscreen(std::string_view shader, const lumen::FullscreenPass
   const lumen::gl::Framebuffer framebuffer(targets, depth_buffer);
   framebuffer.bind();
   glViewport(0, 0, target.size().x, target.size().y);
+  std::optional<Scissor> scissor;
+  if (instance_.kind() == lumen::Kind::transparency && target.size() == size()) scissor.emplace(pixels_);
   glDisable(GL_BLEND);
   if (depth_buffer != nullptr) {
     const float nothing[4] = {};
@@ -133,6 +148,7 @@ void PluginPass::surfaces(std::string_view shader, const lumen::SurfacesPass& pa
   const lumen::gl::Framebuffer framebuffer(textures, context_.layers.find("depth_buffer"));
   framebuffer.bind();
   glViewport(0, 0, size().x, size().y);
+  const Scissor scissor(pixels_);
   for (std::size_t i = 0; i < pass.targets.size(); ++i)
     if (const auto& clear = pass.targets[i].clear) glClearNamedFramebufferfv(framebuffer.name(), GL_COLOR, GLint(i), &clear->x);
   Hash hash;

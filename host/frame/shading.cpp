@@ -162,7 +162,7 @@ std::uint64_t Shading::signature(ShaderLibrary& library) const {
 
 const SurfaceStyle& Shading::style(const Instance& renderer) const { return styles_.at(&renderer); }
 
-std::string Shading::shade_case(const Variant& variant, int lights, bool own) const {
+std::string Shading::shade_case(const Variant& variant, LightKinds lights, bool own) const {
   const int ambient = variant.terms[0], diffuse = variant.terms[1], specular = variant.terms[2];
   const auto load = [&](int term, const char* component) {
     if (binding_of(term) != row_binding::any) return terms_[std::size_t(term)].prefix + "load(0)";
@@ -177,14 +177,15 @@ std::string Shading::shade_case(const Variant& variant, int lights, bool own) co
   if (diffuse >= 0) text += declare(diffuse, "lumen_d", "y");
   if (specular >= 0) text += declare(specular, "lumen_s", "z");
   if (diffuse < 0 && specular < 0) return text;
-  text += "    for (int i = 0; i < " + std::to_string(lights) + "; ++i) {\n      Light light = light_at(i, s.position);\n";
+  const char* const light = lights.points == 0 ? "directional_light(i)" : lights.points == lights.count ? "point_light(i, s.position)" : "light_at(i, s.position)";
+  text += "    for (int i = 0; i < " + std::to_string(lights.count) + "; ++i) {\n      Light light = " + light + ";\n";
   if (diffuse >= 0) text += "      r.diffuse += " + terms_[std::size_t(diffuse)].prefix + "diffuse(lumen_d, s, light);\n";
   if (specular >= 0)
     text += "      if (dot(s.normal, light.direction) > 0.0) r.specular += " + terms_[std::size_t(specular)].prefix + "specular(lumen_s, s, light);\n";
   return text + "    }\n";
 }
 
-void Shading::write(ProgramText& text, lumen::Attenuates attenuates, int lights, bool with_opacity, const Instance* only) const {
+void Shading::write(ProgramText& text, lumen::Attenuates attenuates, LightKinds lights, bool with_opacity, const Instance* only) const {
   text.include("lib/values.glsl");
   text.include("host/styles.glsl");
   std::vector<int> met;  // variants

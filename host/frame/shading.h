@@ -10,6 +10,7 @@
 #include <lumen/gl/buffer.h>
 #include <lumen/occlusion.h>
 
+#include "frame/light_block.h"
 #include "frame/program_text.h"
 #include "frame/value_table.h"
 #include "model/session.h"
@@ -48,9 +49,9 @@ class Shading {
   /// The row of the style of its inside; 0: it has none of its own.
   int interior_row(const Instance& renderer) const;
 
-  /// Adds shade(s, visibility) for `lights` lights; `with_opacity`: also opacity_of(s). `only`: the one renderer whose
+  /// Adds shade(s, visibility) for these lights; `with_opacity`: also opacity_of(s). `only`: the one renderer whose
   /// surfaces are met, or null.
-  void write(ProgramText& text, lumen::Attenuates attenuates, int lights, bool with_opacity, const Instance* only) const;
+  void write(ProgramText& text, lumen::Attenuates attenuates, LightKinds lights, bool with_opacity, const Instance* only) const;
   /// The only renderer that there is, if it has one style; else null.
   const Instance* single() const { return styles_.size() == 1 && interiors_.empty() ? styles_.begin()->first : nullptr; }
   /// How many lights there are goes into lib/lights.glsl's block; this is its size limit.
@@ -72,7 +73,7 @@ class Shading {
   int term_index(const Instance& instance);
   int variant_index(const SurfaceStyle& style);
   int binding_of(int term) const;
-  std::string shade_case(const Variant& variant, int lights, bool own) const;
+  std::string shade_case(const Variant& variant, LightKinds lights, bool own) const;
 
   std::vector<Term> terms_;
   std::vector<Variant> variants_;

@@ -25,6 +25,7 @@ void add_split(Hash& hash, const lumen::Split& split) {
 
 std::uint64_t surfaces_key(const FrameContext& context, const std::vector<SceneSurface>& surfaces) {
   Hash hash;
+  if (surfaces.empty()) return hash.add(context.geometry.size()).value();  // nothing, wherever one looks
   hash.add(context.geometry_key);
   bool removes = false;
   for (const SceneSurface& surface : surfaces) {

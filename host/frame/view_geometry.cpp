@@ -43,6 +43,7 @@ ViewGeometry make_geometry(const lumen::Camera& camera, const PictureWindow& win
   block.size = glm::vec4(size, float(geometry.border), float(window.scale));
   block.extent = glm::vec4(geometry.extent, geometry.scene_radius, camera.orthographic ? 1 : 0);
   block.transparent_extent = glm::vec4(along_axis(camera.view, transparent), float(window.scale) / pixel, float(time));
+  geometry.transparent = pixels_of(geometry, transparent);
   return geometry;
 }
 
@@ -60,6 +61,11 @@ PixelBox pixels_of(const ViewGeometry& geometry, const lumen::Bounds& box) {
   }
   const auto inside = [&](glm::vec2 pixel) { return glm::ivec2(glm::clamp(pixel, glm::vec2(0), size)); };
   return {inside(glm::floor((0.5f * low + 0.5f) * size - margin)), inside(glm::ceil((0.5f * high + 0.5f) * size + margin))};
+}
+
+PixelBox united(const PixelBox& a, const PixelBox& b) {
+  if (a.empty()) return b;
+  return b.empty() ? a : PixelBox{glm::min(a.begin, b.begin), glm::max(a.end, b.end)};
 }
 
 lumen::Camera fitting_camera(const lumen::Bounds& scene, float aspect) {

@@ -24,12 +24,23 @@ struct PictureWindow {
   glm::vec2 offset{0};      ///< how far all samples are moved, in pixels of the picture
 };
 
+/// Pixels of layers from `begin` up to `end`.
+struct PixelBox {
+  glm::ivec2 begin{0}, end{0};
+  glm::ivec2 size() const { return end - begin; }
+  bool empty() const { return begin.x >= end.x || begin.y >= end.y; }
+};
+
+/// The smallest box that holds both.
+PixelBox united(const PixelBox& a, const PixelBox& b);
+
 struct ViewGeometry {
   lumen::Camera camera;
   glm::ivec2 viewport{0};   ///< layers' pixels of the part
   int border = 0;           ///< layers' pixels around it
   glm::vec2 extent{0, 1};   ///< near and far of the scene's sphere along the axis
   float scene_radius = 1;
+  PixelBox transparent;     ///< where transparent surfaces can be
   FrameBlock block;
 
   glm::ivec2 size() const { return viewport + 2 * border; }
@@ -39,12 +50,6 @@ struct ViewGeometry {
 /// `drawn`: what the clip planes must hold.
 ViewGeometry make_geometry(const lumen::Camera& camera, const PictureWindow& window, const lumen::Bounds& scene, const lumen::Bounds& drawn,
                            const lumen::Bounds& transparent, double time);
-
-/// Pixels of layers from `begin` up to `end`.
-struct PixelBox {
-  glm::ivec2 begin{0}, end{0};
-  glm::ivec2 size() const { return end - begin; }
-};
 
 /// The pixels of the layers that the box can touch, and a margin for what is wider than its data.
 PixelBox pixels_of(const ViewGeometry& geometry, const lumen::Bounds& box);

@@ -64,7 +64,7 @@ FrameContext ViewRenderer::State::context(int set, const PictureWindow& window, 
   const glm::vec4 to_centers(glm::vec2(sample.size()) / float(window.scale) / centers_size,
                              glm::vec2(window.origin - window.border + border()) / centers_size);
   return {session, shaders, values, shading, log, caps, layers, centers, scene, sample, main, frame_block, light_block, to_centers,
-          Hash().add(timeless).add(sample.size()).add(sample.camera.pivot).add(sample.camera.distance).value(), Hash().add(lights).value(), lights.count.x, set};
+          Hash().add(timeless).add(sample.size()).add(sample.camera.pivot).add(sample.camera.distance).value(), Hash().add(lights).value(), kinds_of(lights), set};
 }
 
 ViewGeometry ViewRenderer::State::geometry_of(const PictureWindow& window) const {
@@ -115,6 +115,7 @@ std::string ViewRenderer::State::light_scene(const FrameContext& frame) {
   PluginPass pass(frame, *scene.transparency, memories[scene.transparency->id()], {{"color", "lit"}}, {});
   pass.run([&](PluginPass& in) { scene.transparency->as<lumen::Transparency>(Kind::transparency)->render(in); });
   if (layers.find("transparent") == nullptr) return "lit";
+  if (scene.opaque.empty()) return "transparent";  // nothing behind it
   run_merge_pass(frame);
   return "merged";
 }

@@ -9,11 +9,12 @@
 #include <lumen/editor.h>
 #include <lumen/part.h>
 
-#include "frame/shading.h"
 #include "model/session.h"
 #include "model/view.h"
 
 namespace lumenshop {
+
+struct LitSurface;
 
 struct SceneSurface {
   Instance* instance;

@@ -1,6 +1,9 @@
 /// What every transparency technique that is installed keeps, whatever it computes.
 
+#include <cmath>
+
 #include <epoxy/gl.h>
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include "plugins/installed_types.h"
@@ -150,6 +153,39 @@ TEST(TransparencyTechniques, FollowAResizedPictureAndAChangedProperty) {
     scene.layer("color");
     scene.set(technique + ".enabled", "true");
     EXPECT_NEAR(scene.layer("transparent").at(10, 8, 0), 0.25f, 1e-4f);
+  });
+}
+
+/// Only the part of the picture where they can be is drawn: what they leave must be empty again, and what they enter, drawn.
+TEST(TransparencyTechniques, LeaveNothingBehindWhereTheyWere) {
+  const auto set_place = [](Scene& scene, float x) { scene.set("sheet0.transform", fmt::format("[0.2,0,0,{}, 0,0.2,0,0, 0,0,1,0, 0,0,0,1]", x)); };
+  constexpr float left = -2.5f, right = 2.5f;
+  Scene scene({400, 120});  // more than the margin apart
+  sheets::add(scene, {{0, {1, 0, 0}, 0.5f}});
+  for_each_technique(scene, [&](const std::string&) {
+    for (const float x : {left, right}) {
+      set_place(scene, x);
+      const Pixels pixels = scene.layer("transparent");
+      const int here = x == left ? 64 : 336;
+      EXPECT_NEAR(pixels.at(here, 60, 3), 0.5f, 1e-4f);
+      for (const int elsewhere : {0, 200, 399 - here, 399}) EXPECT_EQ(pixels.at(elsewhere, 60, 3), 0) << elsewhere << " at " << x;
+    }
+  });
+}
+
+TEST(TransparencyTechniques, ShowNothingOfAnOpaqueSurfaceThatIsGone) {
+  Scene scene({9, 9});
+  sheets::add(scene, {{0, {1, 0, 0}, 0.5f}});
+  scene.surface("wall", lumen::testing::moved(*lumen::testing::rectangle(3, 3), {0, 0, -1}), R"({"ambient": "ambient", "ambient_color": [0, 1, 0]})");
+  for_each_technique(scene, [&](const std::string&) {
+    scene.set("wall.enabled", "true");
+    EXPECT_NEAR(scene.layer("color").at(4, 4, 1), 0.5f, 1e-4f);
+    scene.set("wall.enabled", "false");
+    const Pixels color = scene.layer("color");
+    EXPECT_EQ(color.at(4, 4, 1), 0);
+    EXPECT_NEAR(color.at(4, 4, 0), 0.5f, 1e-4f);
+    EXPECT_NEAR(color.at(4, 4, 3), 0.5f, 1e-4f);
+    EXPECT_TRUE(std::isinf(scene.layer("depth").at(4, 4)));
   });
 }
 

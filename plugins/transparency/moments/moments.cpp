@@ -14,7 +14,7 @@ struct Moments : lumen::Transparency {
   using Transparency::Transparency;
 
   lumen::Property<lumen::Choice> moments{this, "moments", {"8"}, {.doc = "how many power moments of the absorbance are kept; more resolve more layers", .choices = {"4", "6", "8"}, .constant = true}};
-  lumen::Property<lumen::Choice> bounds{this, "bounds", {"surfaces"}, {.doc = "what the moments' depths span: all transparent surfaces, or each pixel's own, which is sharper and costs another drawing without light", .choices = {"surfaces", "pixel"}, .constant = true}};
+  lumen::Property<lumen::Choice> bounds{this, "bounds", {"pixel"}, {.doc = "what the moments' depths span: each pixel's own surfaces, found by another drawing without light, or all transparent surfaces, which is faster and less sharp", .choices = {"pixel", "surfaces"}, .constant = true}};
   lumen::Property<float> bias{this, "bias", bias_for("8"), {.min = 1e-8, .max = 1e-1, .doc = "how far the moments are drawn toward those of an even spread, against rounding; follows the number of moments unless set", .logarithmic = true}};
   lumen::Property<float> overestimation{this, "overestimation", 0.25f, {.min = 0, .max = 1, .doc = "share of a fragment's own place in the absorbance in front of it: 0 is the least that the moments allow, 1 the most"}};
 
