@@ -29,6 +29,9 @@ def parse_arguments():
     parser.add_argument("--ssao", type=int, nargs="?", const=64, default=0, metavar="SAMPLES",
                         help="with screen-space ambient occlusion, blurred, of so many samples (alone: 64)")
     parser.add_argument("--frame-only", action="store_true", help="leave out whole processes, and f3d")
+    parser.add_argument("--split", action="store_true", help="a split frame against the whole one, by look of the inside; no peer")
+    parser.add_argument("--center", type=float, nargs=3, default=[0, 0, 0], help="a point of the cutting plane (default: in the phantom's middle)")
+    parser.add_argument("--offset", type=float, default=20, help="how far each half moves, world units")
     parser.add_argument("--transparent", action="store_true", help="everything at opacity .4: weighted sums, and exact against VTK's 8 dual peels")
     return parser.parse_args()
 
@@ -156,6 +159,38 @@ def compare_transparency(arguments, program, vtk, scene, display):
         print(f"{case:12} {frame:8.1f} ms   VTK {frame_vtk:8.1f} ms   ratio {statistics.median(turns):.2f} ({turns[0]:.2f} to {turns[-1]:.2f} by turn)")
 
 
+def compare_splits(arguments, folder, mesh, program):
+    """Frames of a surface cut through its middle, halves a tenth of its size apart, against the whole surface."""
+    looks = ["none", "lit", "cut_surface", "cap"]
+    scenes = {}
+    for look in ["whole"] + looks:
+        session = {
+            "lumenshop": 1,
+            "plugins": {
+                "data": {"type": "importer.vtk", "path": str(mesh)},
+                "lambert": {"type": "diffuse.lambert"}, "phong": {"type": "specular.phong"},
+                "surface": {"type": "renderer.surface", "mesh": {"link": "data.mesh"}, "diffuse": "lambert", "specular": "phong"},
+                "camera": {"type": "interactor.orbit"}, "front": {"type": "interactor.light", "direction": [0.3, -1, 0.4]},
+            },
+            "views": {"main": {"camera": "camera", "lights": ["front"], "renderers": ["surface"], "antialiasing": 1}},
+        }
+        if look != "whole":
+            session["plugins"]["cut"] = {"type": "splitter.plane", "translation": arguments.center, "axis": [1, 0, 0], "angle": 60,
+                                         "offset": arguments.offset, "interior": look}
+            session["plugins"]["surface"]["splitter"] = ["cut"]
+        scenes[look] = folder / (look + ".json")
+        scenes[look].write_text(json.dumps(session))
+    frames = {look: [] for look in scenes}
+    for _ in range(arguments.turns):
+        for look, file in scenes.items():
+            run = json.loads(output_of([program, "bench", file, "--size", arguments.size, "--frames", arguments.frames, "--json"]))
+            frames[look].append(run["frame"]["median_ms"])
+    print(f"{mesh.name}, {arguments.size}, medians of {arguments.turns} runs in turns")
+    for look in scenes:
+        turns = sorted(split / whole for split, whole in zip(frames[look], frames["whole"]))
+        print(f"{look:12} {statistics.median(frames[look]):8.1f} ms   ratio {statistics.median(turns):.2f} ({turns[0]:.2f} to {turns[-1]:.2f} by turn)")
+
+
 def compare_frames(arguments, folder, mesh, program, display):
     width, height = arguments.size.split("x")
     peer = arguments.build / "bin/vtk-peer"
@@ -219,6 +254,9 @@ def main():
     with tempfile.TemporaryDirectory() as name, Display() as display:
         folder = pathlib.Path(name)
         mesh = pathlib.Path(arguments.mesh).resolve() if arguments.mesh else phantom(program, folder, arguments.triangles)
+        if arguments.split:
+            compare_splits(arguments, folder, mesh, program)
+            return
         compare_frames(arguments, folder, mesh, program, display)
         if not (arguments.frame_only or arguments.transparent):
             compare_processes(arguments, folder, mesh, program, display)
