@@ -21,8 +21,13 @@ class Writing {
   void run() {
     outcome_ = Outcome::of([&] { code_->write(job_); });
   }
+  /// The same on a thread of its own.
+  void start() {
+    running_ = std::async(std::launch::async, [this] { run(); });
+  }
 
   void finish() {
+    if (running_.valid()) running_.get();
     for (const auto& report : job_.reports()) exporter_.report(report.severity, report.message);
     if (outcome_.state == Outcome::State::failed) throw lumen::Error(outcome_.message);
     if (outcome_.state == Outcome::State::cancelled) throw lumen::Error(exporter_.id(), "cancelled; nothing was written");
@@ -34,6 +39,7 @@ class Writing {
   std::shared_ptr<lumen::Plugin> keeps_alive_;
   FrozenJob job_;
   Outcome outcome_;
+  std::future<void> running_;  // last: it waits when it goes
 };
 
 }  // namespace
@@ -112,11 +118,8 @@ std::future<void> Scheduler::start_writing(Instance& exporter, lumen::DataPointe
   }
   if (!taken) throw lumen::Error(file.string(), exporter.type() + " writes no " + std::string(name_of(data->kind())));
   auto writing = std::make_unique<Writing>(exporter, std::move(snapshot), state_->helper, [](float) { return true; });
-  auto run = std::async(std::launch::async, [work = writing.get()] { work->run(); });
-  return std::async(std::launch::deferred, [writing = std::move(writing), run = std::move(run)]() mutable {
-    run.get();
-    writing->finish();
-  });
+  writing->start();
+  return std::async(std::launch::deferred, [writing = std::move(writing)] { writing->finish(); });
 }
 
 }  // namespace lumenshop
