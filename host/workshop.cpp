@@ -24,6 +24,7 @@ std::vector<std::filesystem::path> plugin_folders(const Installation& installati
 Workshop::Workshop(Options options) {
   const Installation installation = Installation::find();
   helper_ = std::make_unique<Helper>(installation.helper(), installation.workers());
+  for (const std::string& module : options.warm_workers) helper_->warm_up(module);
   registry_ = std::make_unique<Registry>(plugin_folders(installation, options.plugin_folders), helper_.get());
   registry_->load_all();
   session_ = std::make_unique<Session>(*registry_);

@@ -20,6 +20,7 @@ class Workshop {
  public:
   struct Options {
     std::vector<std::filesystem::path> plugin_folders;  ///< beside the installation's and the user's
+    std::vector<std::string> warm_workers;              ///< worker modules that will be wanted: they load beside the plugins
     std::function<void()> wake;                         ///< see Scheduler
   };
   /// Starts the helper process and loads the plugins. Call before any GL.

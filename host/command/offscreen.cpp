@@ -5,8 +5,7 @@
 namespace lumenshop {
 
 Offscreen::Offscreen(const Options& options) : view_id_(options.view), size_(options.size) {
-  workshop_ = std::make_unique<Workshop>(Workshop::Options{.plugin_folders = options.plugin_folders});
-  if (!options.warm_worker.empty()) workshop_->helper().warm_up(options.warm_worker);
+  workshop_ = std::make_unique<Workshop>(Workshop::Options{.plugin_folders = options.plugin_folders, .warm_workers = options.warm_workers});
   workshop_->open(options.files);
   Session& session = workshop_->session();
   for (const Override& override : options.overrides) {
@@ -39,12 +38,13 @@ void Offscreen::finish() {
   view_->finish();
 }
 
-void Offscreen::release() {
+void Offscreen::drop_scene() {
   workshop_->close_views();
   view_ = nullptr;
   workshop_->session().load(Json{{"lumenshop", 1}, {"plugins", Json::object()}, {"views", Json::object()}}, "/");
-  context_.reset();
 }
+
+void Offscreen::drop_context() { context_.reset(); }
 
 Findings Offscreen::all_findings() const {
   Findings all = findings_;

@@ -23,7 +23,7 @@ class Offscreen {
     std::vector<Override> overrides;
     std::string view;                                   ///< empty = the first
     glm::ivec2 size{1280, 1024};
-    std::string warm_worker;                            ///< a worker module to start beside the rest; empty = none
+    std::vector<std::string> warm_workers;              ///< see Workshop
   };
   /// Opens the files and makes the GL context while they are read; returns when all data is there. Overrides that do not
   /// fit and data that failed become findings. Throws lumen::Error if there is nothing to draw at all.
@@ -36,8 +36,9 @@ class Offscreen {
   void reopen();
   /// Brings links and data up to date, and draws all refinements.
   void finish();
-  /// Drops session, views and GL context, whose memory then serves what follows; jobs and exporters go on. Nothing is drawn again.
-  void release();
+  /// Drops views and session, jobs and exporters go on; then the GL context. Nothing is drawn again.
+  void drop_scene();
+  void drop_context();
   Findings& findings() { return findings_; }
   /// Findings with all that the session, its data and its shaders have to say by now.
   Findings all_findings() const;

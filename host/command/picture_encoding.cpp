@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <memory>
+#include <span>
 
 #include <glm/common.hpp>
 
@@ -21,7 +23,7 @@ Meaning meaning_of(const std::string& layer) {
   return Meaning::color;
 }
 
-std::shared_ptr<lumen::Image> picture(const lumen::Image& like, std::vector<std::string> channels, std::vector<float> pixels) {
+std::shared_ptr<lumen::Image> picture(const lumen::Image& like, std::vector<std::string> channels, lumen::Array<float> pixels) {
   auto image = std::make_shared<lumen::Image>();
   image->width = like.width;
   image->height = like.height;
@@ -38,7 +40,7 @@ class SrgbTable {
   SrgbTable() : values_(65536) {
     for (std::size_t i = 0; i < values_.size(); ++i) values_[i] = srgb_encoded(float(i) / 65535);
   }
-  float operator()(float linear) const { return linear > 0 ? values_[std::size_t(std::min(linear, 1.0f) * 65535 + 0.5f)] : 0; }
+  float operator()(float linear) const { return values_[linear > 0 ? std::uint32_t(std::min(linear, 1.0f) * 65535 + 0.5f) : 0]; }
 
  private:
   std::vector<float> values_;
@@ -52,20 +54,18 @@ std::shared_ptr<lumen::Image> displayable_color(const lumen::Image& layer, bool 
     for (std::size_t pixel = 0; pixel < count && !translucent; ++pixel) translucent = stored[4 * pixel + 3] < 0.9995f;
   const std::size_t kept = channels == 4 && !translucent ? 3 : channels;
   const SrgbTable encoded;
-  std::vector<float> pixels(count * kept);
-  float* out = pixels.data();
+  const auto pixels = std::make_shared_for_overwrite<float[]>(count * kept);
+  float* out = pixels.get();
   for (std::size_t pixel = 0; pixel < count; ++pixel) {
     const float* in = stored + pixel * channels;
     const float scale = translucent && in[3] > 0 ? 1 / in[3] : 1;
-    for (std::size_t channel = 0; channel < kept; ++channel) {
-      const bool alpha = channel == 3;
-      const float value = alpha ? in[channel] : in[channel] * scale;
-      *out++ = encode && !alpha ? encoded(value) : std::clamp(value, 0.0f, 1.0f);
-    }
+    for (std::size_t channel = 0; channel < std::min<std::size_t>(kept, 3); ++channel)
+      *out++ = encode ? encoded(in[channel] * scale) : std::clamp(in[channel] * scale, 0.0f, 1.0f);
+    if (kept == 4) *out++ = std::clamp(in[3], 0.0f, 1.0f);
   }
   std::vector<std::string> names(layer.channels.begin(), layer.channels.begin() + kept);
   if (kept >= 3) std::copy_n(std::begin({"R", "G", "B", "A"}), kept, names.begin());
-  return picture(layer, std::move(names), std::move(pixels));
+  return picture(layer, std::move(names), {std::span<const float>(pixels.get(), count * kept), pixels});
 }
 
 }  // namespace

@@ -1,5 +1,6 @@
 /// `lumenshop render`: a session or data becomes a picture file, or one per frame.
 #include <cstdio>
+#include <future>
 
 #include <malloc.h>
 
@@ -23,6 +24,14 @@ std::vector<std::string> layers_of(const RenderOptions& options) {
   if (options.output.extension() != ".exr")
     throw lumen::Error(options.output.string(), "only EXR holds all layers in one picture", "name an .exr file, or one layer");
   return {std::begin(all_layers), std::end(all_layers)};
+}
+
+/// The worker modules that read the files and write the picture: VTK alone takes as long to load as all plugins.
+std::vector<std::string> workers_of(const RenderOptions& options) {
+  std::vector<std::string> workers;
+  if (options.files.front().extension() != ".json") workers.push_back("vtk");
+  workers.push_back(options.output.extension() == ".png" ? "png" : "openimageio");
+  return workers;
 }
 
 std::shared_ptr<lumen::Image> picture_of(Offscreen& offscreen, const RenderOptions& options, const std::vector<std::string>& layers) {
@@ -58,7 +67,7 @@ int run_render(const RenderOptions& options, const std::vector<std::filesystem::
   keep_memory();
   const std::vector<std::string> layers = layers_of(options);
   Offscreen offscreen({.files = options.files, .plugin_folders = plugin_folders, .overrides = options.overrides,
-                       .view = options.view, .size = options.size, .warm_worker = options.output.extension() == ".png" ? "png" : "openimageio"});
+                       .view = options.view, .size = options.size, .warm_workers = workers_of(options)});
   Workshop& workshop = offscreen.workshop();
   const FormatCatalog formats(workshop.registry());
   Instance& exporter = formats.exporter_of(options.output, lumen::DataKind::image);
@@ -66,24 +75,30 @@ int run_render(const RenderOptions& options, const std::vector<std::filesystem::
 
   const std::string view_id = options.view.empty() ? workshop.session().views().front()->id() : options.view;
   Findings findings;
+  std::future<void> written;  // beside what comes after
+  const auto write = [&](std::shared_ptr<lumen::Image> picture, const DisplayOptions& display, const std::filesystem::path& file) {
+    picture = encoded(std::move(picture), options, display);
+    if (written.valid()) written.get();
+    written = workshop.scheduler().start_writing(exporter, std::move(picture), std::filesystem::absolute(file));
+  };
   if (!options.frames) {
     offscreen.finish();
     malloc_trim(0);
     auto image = picture_of(offscreen, options, layers);
     const DisplayOptions display = display_of(offscreen, view_id);
     findings = offscreen.all_findings();
-    offscreen.release();
-    image = encoded(std::move(image), options, display);
-    workshop.scheduler().write_file(exporter, std::move(image), std::filesystem::absolute(options.output));
+    offscreen.drop_scene();  // its memory serves what follows
+    write(std::move(image), display, options.output);
+    offscreen.drop_context();  // takes about as long as the file
   } else {
     for (int frame = options.frames->first; frame <= options.frames->last; ++frame) {
       workshop.session().override_value(view_id + ".time", std::to_string(frame / frames_per_second));
       offscreen.finish();
-      workshop.scheduler().write_file(exporter, encoded(picture_of(offscreen, options, layers), options, display_of(offscreen, view_id)),
-                                      std::filesystem::absolute(frame_name(options.output, frame)));
+      write(picture_of(offscreen, options, layers), display_of(offscreen, view_id), frame_name(options.output, frame));
     }
     findings = offscreen.all_findings();
   }
+  if (written.valid()) written.get();
   std::fputs(findings.text().c_str(), stderr);
   return findings.empty() ? exit_well : exit_failed;
 }

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <limits>
+#include <memory>
+#include <span>
 
 #include <lumen/gl/framebuffer.h>
 
@@ -76,9 +78,11 @@ std::shared_ptr<lumen::Image> ViewRenderer::State::image_of(const std::string& n
   image->height = size.y;
   image->channels = channels_of_layer(name);
   const std::size_t count = image->channels.size();
-  std::vector<float> pixels(std::size_t(size.x) * std::size_t(size.y) * count, name == "depth" || name == "position" ? std::numeric_limits<float>::infinity() : 0.0f);
+  const std::size_t numbers = std::size_t(size.x) * std::size_t(size.y) * count;
+  const auto pixels = std::make_shared_for_overwrite<float[]>(numbers);
+  const std::size_t stride = texture == nullptr ? 0 : std::size_t(lumen::channels_of(texture->format()));
+  if (stride < count) std::fill_n(pixels.get(), numbers, name == "depth" || name == "position" ? std::numeric_limits<float>::infinity() : 0.0f);
   if (texture != nullptr) {
-    const std::size_t stride = std::size_t(lumen::channels_of(texture->format()));
     const glm::mat4 to_world = glm::inverse(camera.view);
     std::vector<float> row(std::size_t(size.x) * stride);
     for (int y = 0; y < size.y; ++y) {  // row by row, since images begin at the top and have no border
@@ -97,7 +101,7 @@ std::shared_ptr<lumen::Image> ViewRenderer::State::image_of(const std::string& n
       }
     }
   }
-  image->pixels = std::move(pixels);
+  image->pixels = {std::span<const float>(pixels.get(), numbers), pixels};
   return image;
 }
 

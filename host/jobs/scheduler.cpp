@@ -9,17 +9,38 @@ namespace lumenshop {
 
 namespace {
 
-/// An exporter's write(), to its end, on this thread.
-void write(Instance& exporter, Snapshot snapshot, Helper* helper, const std::function<bool(float)>& progress) {
-  const auto* code = exporter.as<lumen::Exporter>(lumen::Kind::exporter);
-  if (!code) throw lumen::Error(exporter.id(), exporter.type() + " is no exporter");
-  const std::shared_ptr<lumen::Plugin> keeps_alive = exporter.share();
-  FrozenJob job(std::move(snapshot), helper, [&](float fraction) { return !progress || progress(fraction); });
-  const Outcome outcome = Outcome::of([&] { code->write(job); });
-  for (const auto& report : job.reports()) exporter.report(report.severity, report.message);
-  if (outcome.state == Outcome::State::failed) throw lumen::Error(outcome.message);
-  if (outcome.state == Outcome::State::cancelled) throw lumen::Error(exporter.id(), "cancelled; nothing was written");
-}
+/// An exporter's write(), which any thread can run, between a beginning and an end on the main thread.
+class Writing {
+ public:
+  Writing(Instance& exporter, Snapshot snapshot, Helper* helper, std::function<bool(float)> progress)
+      : exporter_(exporter), code_(exporter.as<lumen::Exporter>(lumen::Kind::exporter)), keeps_alive_(exporter.share()),
+        job_(std::move(snapshot), helper, std::move(progress)) {
+    if (!code_) throw lumen::Error(exporter.id(), exporter.type() + " is no exporter");
+  }
+
+  void run() {
+    outcome_ = Outcome::of([&] { code_->write(job_); });
+  }
+  /// The same on a thread of its own.
+  void start() {
+    running_ = std::async(std::launch::async, [this] { run(); });
+  }
+
+  void finish() {
+    if (running_.valid()) running_.get();
+    for (const auto& report : job_.reports()) exporter_.report(report.severity, report.message);
+    if (outcome_.state == Outcome::State::failed) throw lumen::Error(outcome_.message);
+    if (outcome_.state == Outcome::State::cancelled) throw lumen::Error(exporter_.id(), "cancelled; nothing was written");
+  }
+
+ private:
+  Instance& exporter_;
+  const lumen::Exporter* code_;
+  std::shared_ptr<lumen::Plugin> keeps_alive_;
+  FrozenJob job_;
+  Outcome outcome_;
+  std::future<void> running_;  // last: it waits when it goes
+};
 
 }  // namespace
 
@@ -73,10 +94,16 @@ void Scheduler::run_export(Instance& exporter, const std::function<bool(float)>&
   }
   if (inputs.state != Inputs::State::ready) throw lumen::Error(exporter.id(), inputs.why.empty() ? "its input is not ready" : inputs.why);
   exporter.clear_reports();
-  write(exporter, Snapshot::of(exporter), state_->helper, progress);
+  Writing writing(exporter, Snapshot::of(exporter), state_->helper, [&](float fraction) { return !progress || progress(fraction); });
+  writing.run();
+  writing.finish();
 }
 
 void Scheduler::write_file(Instance& exporter, lumen::DataPointer data, const std::filesystem::path& file) {
+  start_writing(exporter, std::move(data), file).get();
+}
+
+std::future<void> Scheduler::start_writing(Instance& exporter, lumen::DataPointer data, const std::filesystem::path& file) {
   if (!data) throw lumen::Error(file.string(), "there is no data to write");
   Snapshot snapshot = Snapshot::of(exporter);
   bool taken = false;
@@ -90,7 +117,9 @@ void Scheduler::write_file(Instance& exporter, lumen::DataPointer data, const st
     }
   }
   if (!taken) throw lumen::Error(file.string(), exporter.type() + " writes no " + std::string(name_of(data->kind())));
-  write(exporter, std::move(snapshot), state_->helper, {});
+  auto writing = std::make_unique<Writing>(exporter, std::move(snapshot), state_->helper, [](float) { return true; });
+  writing->start();
+  return std::async(std::launch::deferred, [writing = std::move(writing)] { writing->finish(); });
 }
 
 }  // namespace lumenshop

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <functional>
+#include <future>
 #include <memory>
 #include <string>
 #include <vector>
@@ -35,6 +36,8 @@ class Scheduler {
   void run_export(Instance& exporter, const std::function<bool(float)>& progress = {});
   /// The same with data that is in no session: the input that takes it is given `data`, `path` is given `file`.
   void write_file(Instance& exporter, lumen::DataPointer data, const std::filesystem::path& file);
+  /// The same beside what this thread does meanwhile; the exporter stays until then. get(), on this thread, waits and throws.
+  std::future<void> start_writing(Instance& exporter, lumen::DataPointer data, const std::filesystem::path& file);
 
  private:
   struct State;

@@ -6,7 +6,9 @@
 
 #include <fcntl.h>
 #include <poll.h>
+#include <sys/syscall.h>
 #include <sys/wait.h>
+#include <unistd.h>
 
 #include <lumen/error.h>
 
@@ -30,14 +32,10 @@ void HelperProcess::start() {
 void HelperProcess::stop() {
   if (process_ < 0) return;
   channel_ = Channel();   // it ends its children and itself when it sees this
-  for (int patience = 0; patience < 100; ++patience) {
-    if (::waitpid(process_, nullptr, WNOHANG) != 0) {
-      process_ = -1;
-      return;
-    }
-    ::poll(nullptr, 0, 5);
-  }
-  ::kill(process_, SIGKILL);
+  const lumen::Descriptor ended(static_cast<int>(::syscall(SYS_pidfd_open, process_, 0)));
+  pollfd waited{ended.get(), POLLIN, 0};
+  constexpr int patience_ms = 500;
+  if (!ended || ::poll(&waited, 1, patience_ms) != 1) ::kill(process_, SIGKILL);
   ::waitpid(process_, nullptr, 0);
   process_ = -1;
 }

@@ -81,6 +81,7 @@ struct Writer : lumen::Exporter {
   std::vector<lumen::FileFormat> formats() const override { return {{".txt", lumen::DataKind::mesh, "text"}}; }
   void write(lumen::Job& job) const override {
     const auto data = job[mesh];
+    if (job[path].file == "/refused.txt") throw lumen::Error("/refused.txt", "cannot be written");
     written = job[path].file + ": " + (data ? data->summary() : "nothing");
   }
 };
@@ -314,6 +315,20 @@ TEST_F(SchedulerTest, data_of_no_session_can_be_written) {
   scheduler.write_file(writer, mesh, "/there/b.txt");
   EXPECT_EQ(factory.written, "/there/b.txt: 1 triangles, 3 points");
   EXPECT_THROW(scheduler.write_file(writer, nullptr, "/there/c.txt"), lumen::Error);
+}
+
+TEST_F(SchedulerTest, a_file_is_written_while_its_session_goes_on) {
+  Instance& writer = session.add("exporter.writer", "writer");
+  auto mesh = triangle(1);
+  mesh->finish();
+  std::future<void> written = scheduler.start_writing(writer, std::move(mesh), "/there/d.txt");
+  session.set("writer.path", lumen::Value(lumen::Path{"/elsewhere.txt"}));
+  written.get();
+  EXPECT_EQ(factory.written, "/there/d.txt: 1 triangles, 3 points");
+  auto another = triangle(1);
+  another->finish();
+  std::future<void> refused = scheduler.start_writing(writer, std::move(another), "/refused.txt");
+  EXPECT_THROW(refused.get(), lumen::Error);
 }
 
 }  // namespace

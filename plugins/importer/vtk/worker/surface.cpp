@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numeric>
 
 #include <glm/geometric.hpp>
 #include <vtkCellArray.h>
@@ -63,16 +64,13 @@ class Triangulation {
     }
   }
 
-  /// cells[i] == i for all triangles.
-  bool is_one_to_one() const {
-    if (cells.size() != cell_) return false;
-    for (std::size_t index = 0; index < cells.size(); ++index)
-      if (cells[index] != index) return false;
-    return true;
+  /// The cell of each triangle, to be taken once; empty: each cell is a triangle.
+  std::vector<std::uint32_t> take_cells() {
+    if (one_to_one_ && triangles.size() != cell_) number_so_far(triangles.size());
+    return std::move(cells_);
   }
 
   std::vector<glm::uvec3> triangles;
-  std::vector<std::uint32_t> cells;
   std::size_t degenerate = 0, not_finite = 0;
 
  private:
@@ -89,8 +87,21 @@ class Triangulation {
       ++not_finite;
     } else {
       triangles.push_back(triangle);
-      cells.push_back(cell_);
+      number_from(triangles.size() - 1);
     }
+  }
+
+  /// The triangles from `first` on are of the cell at hand. As long as each cell is one triangle, numbers would say nothing.
+  void number_from(std::size_t first) {
+    if (one_to_one_ && first == cell_ && triangles.size() == first + 1) return;
+    if (one_to_one_) number_so_far(first);
+    cells_.resize(triangles.size(), cell_);
+  }
+
+  void number_so_far(std::size_t count) {
+    one_to_one_ = false;
+    cells_.resize(count);
+    std::iota(cells_.begin(), cells_.end(), 0u);
   }
 
   void add_polygon() {
@@ -104,23 +115,25 @@ class Triangulation {
       const std::size_t before = triangles.size();
       cutter_.cut(points_, polygon_, triangles);
       std::erase_if(triangles, [&, index = std::size_t{0}](glm::uvec3 triangle) mutable { return index++ >= before && !proper(triangle); });
-      cells.resize(triangles.size(), cell_);
+      number_from(before);
     }
   }
 
   const Array<glm::vec3>& points_;
   bool all_finite_ = true;
+  bool one_to_one_ = true;             ///< so far, triangle i is cell i
   std::uint32_t cell_ = 0;
+  std::vector<std::uint32_t> cells_;   ///< of each triangle, unless one_to_one_
   std::vector<std::uint32_t> polygon_;
   PolygonCutter cutter_;
 };
 
 /// Renumbers the triangles so that they name used points alone. Returns which points those are; empty = all.
 std::vector<std::uint32_t> compact(std::vector<glm::uvec3>& triangles, std::size_t points) {
-  std::vector<bool> used(points);
+  std::vector<std::uint8_t> used(points);  // bytes: bits would be read and written back, one after the other
   for (const glm::uvec3& triangle : triangles)
-    for (int corner = 0; corner < 3; ++corner) used[triangle[corner]] = true;
-  const auto count = static_cast<std::size_t>(std::count(used.begin(), used.end(), true));
+    for (int corner = 0; corner < 3; ++corner) used[triangle[corner]] = 1;
+  const auto count = static_cast<std::size_t>(std::count(used.begin(), used.end(), 1));
   if (count == points) return {};
   std::vector<std::uint32_t> kept, number(points);
   kept.reserve(count);
@@ -217,7 +230,7 @@ std::shared_ptr<lumen::Mesh> mesh_of(vtkPolyData* data, const std::string& file,
     attribute.values = part_of(attribute.values, static_cast<std::size_t>(first_cell) * components, static_cast<std::size_t>(cells) * components);
     mesh->attributes.push_back(std::move(attribute));
   }
-  if (!triangulation.is_one_to_one()) mesh->triangle_cells = std::move(triangulation.cells);
+  mesh->triangle_cells = triangulation.take_cells();
   mesh->triangles = std::move(triangulation.triangles);
   mesh->finish();
   return mesh;
