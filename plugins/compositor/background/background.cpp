@@ -8,7 +8,7 @@ namespace {
 struct Background : lumen::Compositor {
   using Compositor::Compositor;
 
-  lumen::Property<lumen::Choice> mode{this, "mode", {"gradient"}, {.doc = "one color, a gradient, or a picture", .choices = {"color", "gradient", "image"}}};
+  lumen::Property<lumen::Choice> mode{this, "mode", {"gradient"}, {.doc = "one color, a gradient, or a picture", .choices = {"color", "gradient", "image"}, .constant = true}};
   lumen::Property<lumen::Color> color{this, "color", {0.84f, 0.84f, 0.81f}, {.min = 0, .max = 1, .doc = "the color, or the top of the gradient; beside a picture that does not fill the view"}};
   lumen::Property<lumen::Color> bottom{this, "bottom", {0.58f, 0.58f, 0.56f}, {.min = 0, .max = 1, .doc = "the bottom of the gradient", .when = "mode = gradient"}};
   lumen::Input<lumen::Image> image{this, "image", {.doc = "the picture", .when = "mode = image"}};
