@@ -80,6 +80,16 @@ TEST(PlaneInterior, LooksAsAsked) {
   EXPECT_NEAR(inside("lit", "diffuse").g / inside("cut_surface", "diffuse").g, z / CutBall::cosine, 0.01f);
 }
 
+TEST(PlaneInterior, ColorsDrawNoGeometryAgain) {
+  CutBall ball("cut_surface");
+  ball.scene.layer("diffuse");
+  const int geometry = ball.scene.runs("geometry"), lighting = ball.scene.runs("lighting");
+  ball.scene.set("cut.interior_color", "[0, 1, 0]");
+  EXPECT_EQ(ball.scene.layer("diffuse").at(150, 110, 2), 0);
+  EXPECT_EQ(ball.scene.runs("geometry"), geometry);
+  EXPECT_EQ(ball.scene.runs("lighting"), lighting + 1);
+}
+
 TEST(PlaneSplitter, CappedAndHollowHalvesShowTheSameOutside) {
   Scene capped({200, 200}), hollow({200, 200});
   for (Scene* scene : {&capped, &hollow}) {
