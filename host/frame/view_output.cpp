@@ -78,6 +78,7 @@ std::shared_ptr<lumen::Image> ViewRenderer::State::image_of(const std::string& n
   const std::size_t count = image->channels.size();
   std::vector<float> pixels(std::size_t(size.x) * std::size_t(size.y) * count, name == "depth" || name == "position" ? std::numeric_limits<float>::infinity() : 0.0f);
   if (texture != nullptr) {
+    glFinish();  // Mesa 22.3's software driver may read rows of a texture before all of it is drawn
     const std::size_t stride = std::size_t(lumen::channels_of(texture->format()));
     const glm::mat4 to_world = glm::inverse(camera.view);
     std::vector<float> row(std::size_t(size.x) * stride);
