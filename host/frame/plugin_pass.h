@@ -19,6 +19,7 @@ struct PluginPassMemory {
   float progress = 0;            ///< while unfinished, 0..1
   int iteration = 0;
   std::uint64_t base_key = 0;    ///< of everything but the iteration
+  lumen::TextureInputs inputs = {};  ///< of a splitter: what it drew for this view
 };
 
 /// Where a pass finds layers that stand under another name, and where it writes: layer name -> store name.

@@ -79,7 +79,7 @@ class SurfaceDraw final : public lumen::Draw {
 
  private:
   static bool capped(const lumen::Part& part) { return part.openings && part.openings->empty(); }
-  bool removes(const lumen::Part& part) const { return part.removable && surface_.removes(); }
+  bool removes(const lumen::Part& part) const { return part.removable && !surface_.prepared.empty(); }
 
   /// Makes the program current for the part, cut by these planes.
   Program& current(const std::string& file, int part, const std::vector<glm::vec4>& planes, std::span<const std::pair<const char*, const lumen::gl::Texture*>> inputs,
@@ -133,7 +133,7 @@ class SurfaceDraw final : public lumen::Draw {
     for (const auto& [name, texture] : inputs) hash.add(std::string_view(name));
     std::string slot = instance.id() + " " + output_.name;
     if (made.planes > 0) slot += " cut by " + std::to_string(made.planes);
-    if (made.removes) slot += " removed";
+    if (made.removes) slot += " removed by " + std::to_string(surface_.prepared.size());
     if (made.cap) slot += " caps";
     return context_.shaders.program(slot, hash.value(), [&](ProgramText& vertex, ProgramText& fragment) {
       write_surface_text(vertex, fragment, surface_, file, inputs, made);

@@ -10,22 +10,22 @@
 namespace lumenshop {
 namespace {
 
-using lumen::Kind;
-
 /// A splitter whose shader removes fragments.
 struct Remover {
   Instance* instance;
   std::string file, prefix;
   int binding;  ///< the first has its row bound, the others look theirs up
   std::string row;
+  const lumen::TextureInputs& inputs;
 };
 
 std::vector<Remover> removers_of(const SceneSurface& surface) {
   std::vector<Remover> removers;
   for (Instance* splitter : surface.splitters) {
-    if (!splitter->as<lumen::Splitter>(Kind::splitter)->removes()) continue;
+    const auto prepared = surface.prepared.find(splitter);
+    if (prepared == surface.prepared.end()) continue;
     const std::string file = shader_file(*splitter), number = std::to_string(removers.size());
-    removers.push_back({splitter, file, prefix_of(file) + number + "_", removers.empty() ? row_binding::splitter : row_binding::any, "lumen_remover_" + number});
+    removers.push_back({splitter, file, prefix_of(file) + number + "_", removers.empty() ? row_binding::splitter : row_binding::any, "lumen_remover_" + number, prepared->second});
   }
   return removers;
 }
@@ -37,10 +37,9 @@ void write_removal(ProgramText& fragment, const SceneSurface& surface) {
   std::string removed, normal;
   std::set<std::string> declared;
   for (const Remover& remover : removers_of(surface)) {
-    lumen::TextureInputs inputs = remover.instance->as<lumen::Splitter>(Kind::splitter)->inputs();
-    for (const auto& [name, texture] : inputs)
+    for (const auto& [name, texture] : remover.inputs)
       if (!declared.insert(name).second) throw lumen::Error(surface.instance->id(), std::string("two of its splitters read a texture '") + name + "'", "give it one of that type");
-    fragment.generated("uniform int " + remover.row + ";\n" + inputs_text(inputs) + properties_text(*remover.instance, remover.prefix, remover.binding));
+    fragment.generated("uniform int " + remover.row + ";\n" + inputs_text(remover.inputs) + properties_text(*remover.instance, remover.prefix, remover.binding));
     fragment.file(remover.file, {"removed", "cut_normal"}, remover.prefix);
     const std::string arguments = "(" + remover.prefix + "load(" + remover.row + "), s)";
     removed += "  if (" + remover.prefix + "removed" + arguments + ") return true;\n";
@@ -135,7 +134,7 @@ std::uint64_t splitters_signature(const SceneSurface& surface) {
   Hash hash;
   for (const Remover& remover : removers_of(surface)) {
     hash.add(remover.file).add(properties_signature(*remover.instance));
-    for (const auto& [name, texture] : remover.instance->as<lumen::Splitter>(Kind::splitter)->inputs()) hash.add(std::string_view(name)).add(texture->format());
+    for (const auto& [name, texture] : remover.inputs) hash.add(std::string_view(name)).add(texture->format());
   }
   return hash.value();
 }
@@ -144,11 +143,12 @@ void bind_splitters(const FrameContext& context, const SceneSurface& surface, Pr
   for (const Remover& remover : removers_of(surface)) {
     if (remover.binding != row_binding::any) context.values.bind_row(remover.binding, *remover.instance);
     program.set(remover.row, context.values.row_of(*remover.instance));
-    for (const auto& [name, texture] : remover.instance->as<lumen::Splitter>(Kind::splitter)->inputs()) program.bind(name, texture->name());
+    for (const auto& [name, texture] : remover.inputs) program.bind(name, texture->name());
   }
   program.set("lumen_eye_to_world", glm::inverse(context.geometry.camera.view));
   program.set("lumen_main_view", context.main.camera.view);
   program.set("lumen_main_unproject", context.main.block.unproject);
+  program.set("lumen_main_orthographic", context.main.camera.orthographic ? 1 : 0);
 }
 
 }  // namespace lumenshop

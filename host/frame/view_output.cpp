@@ -83,6 +83,7 @@ std::shared_ptr<lumen::Image> ViewRenderer::State::image_of(const std::string& n
   const std::size_t stride = texture == nullptr ? 0 : std::size_t(lumen::channels_of(texture->format()));
   if (stride < count) std::fill_n(pixels.get(), numbers, name == "depth" || name == "position" ? std::numeric_limits<float>::infinity() : 0.0f);
   if (texture != nullptr) {
+    glFinish();  // Mesa 22.3's software driver may read rows of a texture before all of it is drawn
     const glm::mat4 to_world = glm::inverse(camera.view);
     std::vector<float> row(std::size_t(size.x) * stride);
     for (int y = 0; y < size.y; ++y) {  // row by row, since images begin at the top and have no border

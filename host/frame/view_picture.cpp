@@ -76,14 +76,26 @@ ViewGeometry ViewRenderer::State::geometry_of(const PictureWindow& window) const
 }
 
 void ViewRenderer::State::prepare_splitters() {
-  std::set<Instance*> all;
-  for (const auto* surfaces : {&scene.opaque, &scene.transparent})
-    for (const SceneSurface& surface : *surfaces) all.insert(surface.splitters.begin(), surface.splitters.end());
+  std::vector<Instance*> all;
+  for (auto* surfaces : {&scene.opaque, &scene.transparent})
+    for (SceneSurface& surface : *surfaces) {
+      surface.prepared.clear();
+      for (Instance* splitter : surface.splitters)
+        if (std::find(all.begin(), all.end(), splitter) == all.end()) all.push_back(splitter);
+    }
   const FrameContext frame = context(0, {.picture = size, .size = size}, main, centers);
   for (Instance* splitter : all) {
-    PluginPass pass(frame, *splitter, memories[splitter->id()], {}, {});
-    pass.run([&](PluginPass& in) { splitter->as<lumen::Splitter>(Kind::splitter)->prepare(in); });
+    auto* plugin = splitter->as<lumen::Splitter>(Kind::splitter);
+    PluginPassMemory& memory = memories[splitter->id()];
+    PluginPass pass(frame, *splitter, memory, {}, {});
+    // Kept here, since another view has the plugin draw what is seen there.
+    if (pass.run([&](PluginPass& in) { plugin->prepare(in); })) memory.inputs = plugin->inputs();
+    if (!plugin->removes()) continue;
+    for (auto* surfaces : {&scene.opaque, &scene.transparent})
+      for (SceneSurface& surface : *surfaces)
+        if (std::find(surface.splitters.begin(), surface.splitters.end(), splitter) != surface.splitters.end()) surface.prepared[splitter] = memory.inputs;
   }
+  values.update(session);  // they may have moved defaults
 }
 
 void ViewRenderer::State::draw_surfaces(const FrameContext& frame) {
@@ -190,6 +202,7 @@ void ViewRenderer::State::draw_mean_alone() {
     if (progressive_unfinished()) return;
     add_attenuated(frame, *centers.find("mean open"), visibility_of(frame).layer, *centers.find("mean"), scene_pixels);
     centers.keep({"mean"});  // nobody reads the rest again
+    log.forget(0);
     centers.drawn("mean");
     content_key = opaque_key();  // by now it is known which files the occlusion uses
   }

@@ -1,12 +1,14 @@
 /// What a view names, found: the live instances of one picture, in drawing order.
 #pragma once
 
+#include <map>
 #include <string>
 #include <vector>
 
 #include <lumen/camera.h>
 #include <lumen/data.h>
 #include <lumen/editor.h>
+#include <lumen/frame.h>
 #include <lumen/part.h>
 
 #include "model/session.h"
@@ -21,6 +23,8 @@ struct SceneSurface {
   std::vector<Instance*> splitters = {};
   lumen::Split split = {};                 ///< what they make of it; one whole part until split_surfaces()
   Instance* interior = nullptr;            ///< the splitter that says how its inside looks; null: as its outside
+  /// Of the splitters whose shaders remove fragments, those that are prepared for this view, and what they read there.
+  std::map<const Instance*, lumen::TextureInputs> prepared = {};
   bool removes() const;                    ///< a splitter's shader removes fragments
 };
 

@@ -61,6 +61,7 @@ std::vector<float> Texture::download() const {
   const std::size_t count = std::size_t(size_.x) * size_.y * channels_of(format_);
   glPixelStorei(GL_PACK_ALIGNMENT, 1);
   std::vector<float> pixels(count);
+  glFinish();  // Mesa 22.3's software driver may read a texture before all of it is drawn
   if (layout.type == GL_UNSIGNED_INT) {
     std::vector<GLuint> integers(count);
     glGetTextureImage(name_, 0, layout.external, GL_UNSIGNED_INT, GLsizei(count * sizeof(GLuint)), integers.data());
