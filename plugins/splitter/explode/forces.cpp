@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include <glm/geometric.hpp>
 #include <glm/matrix.hpp>
@@ -20,17 +21,23 @@ glm::vec3 direction(const glm::vec3& r, const glm::vec3& otherwise) {
   return length > 1e-4f ? r / length : otherwise;
 }
 
-/// Corners that lie far from one another: each next one is the farthest from those before (Gonzalez 1985).
+/// Points spread through parts as the paper's are through voxels: of triangles that lie far from one another, each next one the farthest from
+/// those before (Gonzalez 1985), drawn toward their part's center so that they fill a ball evenly.
 std::vector<glm::vec3> spread_points(const Pieces& pieces, const std::vector<int>& of) {
-  std::vector<glm::vec3> corners, chosen;
-  for (const int part : of)
-    for (const Corners& triangle : pieces.list[std::size_t(part)].triangles) corners.push_back((triangle[0] + triangle[1] + triangle[2]) / 3.0f);
-  if (corners.empty()) return chosen;
-  std::vector<float> distance(corners.size(), std::numeric_limits<float>::infinity());
-  std::size_t next = 0;
-  while (chosen.size() < most_points && distance[next] > 0) {
-    chosen.push_back(corners[next]);
-    for (std::size_t i = 0; i < corners.size(); ++i) distance[i] = std::min(distance[i], glm::distance(corners[i], chosen.back()));
+  struct Place {
+    glm::vec3 at, center;
+  };
+  std::vector<Place> places;
+  for (const int part : of) {
+    const Piece& piece = pieces.list[std::size_t(part)];
+    for (const Corners& triangle : piece.triangles) places.push_back({(triangle[0] + triangle[1] + triangle[2]) / 3.0f, piece.center});
+  }
+  std::vector<glm::vec3> chosen;
+  std::vector<float> distance(places.size(), std::numeric_limits<float>::infinity());
+  for (std::size_t next = 0; next < places.size() && chosen.size() < most_points && distance[next] > 0;) {
+    const Place place = places[next];
+    chosen.push_back(glm::mix(place.center, place.at, std::cbrt((float(chosen.size()) + 0.5f) / float(most_points))));
+    for (std::size_t i = 0; i < places.size(); ++i) distance[i] = std::min(distance[i], glm::distance(places[i].at, place.at));
     next = std::size_t(std::max_element(distance.begin(), distance.end()) - distance.begin());
   }
   return chosen;
