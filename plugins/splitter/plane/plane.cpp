@@ -7,6 +7,7 @@
 #include <glm/gtc/matrix_transform.hpp>
 #include <lumen/splitter.h>
 
+#include "../kept_parts.h"
 #include "plane_cut.h"
 
 namespace {
@@ -34,10 +35,10 @@ struct Plane : lumen::Splitter {
       lumen::Part& part = split.parts[std::size_t(half)];
       if (cut.cap != nullptr) split.caps.push_back({.part = half, .plane = 0, .shape = cut.cap});
       if (cut.closed) part.openings = interior.caps() ? std::vector<glm::vec4>{} : cut.openings;
-      if (cut.groups != nullptr) part.group = 0;
+      if (cut.asked.groups != nullptr) part.group = 0;
     }
-    if (cut.groups != nullptr) split.parts.push_back({.group = 1, .removable = false});
-    split.groups = cut.groups;
+    if (cut.asked.groups != nullptr) split.parts.push_back({.group = 1, .removable = false});
+    split.groups = cut.asked.groups;
     if (interior.caps() && !cut.closed) report(lumen::Severity::note, "'" + surface.mesh->origin + "' has a border at the plane: the cut stays open, its inside lit as its face");
     return split;
   }
@@ -60,11 +61,11 @@ struct Plane : lumen::Splitter {
   }
 
   const PlaneCut& cut_of(const lumen::SplitSurface& surface, const glm::vec4& plane) {
-    PlaneCut::Asked asked{.mesh = surface.mesh, .object_to_world = surface.object_to_world, .plane = plane, .whole = whole, .capped = interior.caps()};
+    PlaneCut::Asked asked{.mesh = surface.mesh, .object_to_world = surface.object_to_world, .plane = plane, .groups = kept_.groups(surface, whole), .capped = interior.caps()};
     std::erase_if(cuts_, [](const PlaneCut& cut) { return cut.asked.mesh.expired(); });
     const auto found = std::find_if(cuts_.begin(), cuts_.end(), [&](const PlaneCut& cut) { return cut.asked.mesh.lock() == surface.mesh && cut.asked.object_to_world == surface.object_to_world; });
     if (found == cuts_.end()) return cuts_.emplace_back(std::move(asked));
-    if (!found->asked.same(asked)) *found = PlaneCut(std::move(asked), *found);
+    if (!found->asked.same(asked)) *found = PlaneCut(std::move(asked));
     return *found;
   }
 
@@ -83,6 +84,7 @@ struct Plane : lumen::Splitter {
     return hidden > 0 && float(hidden) >= hidden_share.get() * float(hidden + seen);
   }
 
+  KeptParts kept_;
   std::vector<PlaneCut> cuts_;
 };
 

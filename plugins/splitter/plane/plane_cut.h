@@ -11,22 +11,15 @@ struct PlaneCut {
     std::weak_ptr<const lumen::Mesh> mesh;
     glm::mat4 object_to_world{1};
     glm::vec4 plane{0};           ///< world, normal unit
-    std::vector<int> whole;       ///< numbers of connected parts that stay whole
+    std::shared_ptr<const std::vector<std::uint32_t>> groups;  ///< of triangles: 0 is cut; null: all are
     bool capped = false;
     bool same(const Asked& other) const;
   };
 
   explicit PlaneCut(Asked asked);
-  /// The same for other values; what still holds is taken over.
-  PlaneCut(Asked asked, const PlaneCut& before);
 
   Asked asked;
-  std::shared_ptr<const std::vector<std::uint32_t>> groups;  ///< 0: cut, 1: whole; null: all is cut
   bool closed = false;                                       ///< no border of the mesh lies at the plane
   std::vector<glm::vec4> openings;                           ///< spheres around the cut's outlines, if closed
   std::shared_ptr<const lumen::Mesh> cap;                    ///< null: none
-
- private:
-  void find_groups();
-  void find_section();
 };
