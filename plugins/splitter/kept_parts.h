@@ -11,21 +11,21 @@
 /// Groupings by mesh, kept while the mesh lives: a splitter may serve several surfaces.
 class KeptParts {
  public:
-  /// Groups 0, of what is asked, and 1, of the parts with these numbers; null if there are none or the surface has no triangles.
-  std::shared_ptr<const std::vector<std::uint32_t>> groups(const lumen::SplitSurface& surface, const std::vector<int>& numbers) {
+  /// Groups 0, of what is asked, and 1, of the parts with these numbers; null if there are none or the mesh is null.
+  std::shared_ptr<const std::vector<std::uint32_t>> groups(const std::shared_ptr<const lumen::Mesh>& mesh, const std::vector<int>& numbers) {
     std::erase_if(known_, [&](const Known& known) { return known.mesh.expired() || known.numbers != numbers; });
-    if (surface.mesh == nullptr || numbers.empty()) return nullptr;
-    const auto found = std::find_if(known_.begin(), known_.end(), [&](const Known& known) { return known.mesh.lock() == surface.mesh; });
+    if (mesh == nullptr || numbers.empty()) return nullptr;
+    const auto found = std::find_if(known_.begin(), known_.end(), [&](const Known& known) { return known.mesh.lock() == mesh; });
     if (found != known_.end()) return found->groups;
-    std::vector<std::uint32_t> group = lumen::connected_parts(*surface.mesh).of_triangle;
+    std::vector<std::uint32_t> group = lumen::connected_parts(*mesh).of_triangle;
     for (std::uint32_t& number : group) number = std::find(numbers.begin(), numbers.end(), int(number)) != numbers.end() ? 1 : 0;
-    known_.push_back({surface.mesh, numbers, std::make_shared<const std::vector<std::uint32_t>>(std::move(group))});
+    known_.push_back({mesh, numbers, std::make_shared<const std::vector<std::uint32_t>>(std::move(group))});
     return known_.back().groups;
   }
 
   /// The surface of which fragments are removed but for these parts; with `rest` false, these parts are not drawn.
   lumen::Split split(const lumen::SplitSurface& surface, const std::vector<int>& numbers, bool rest = true) {
-    lumen::Split split{.groups = groups(surface, numbers)};
+    lumen::Split split{.groups = groups(surface.mesh, numbers)};
     if (split.groups == nullptr) return split;
     split.parts = {{.group = 0}};
     if (rest) split.parts.push_back({.group = 1, .removable = false});
