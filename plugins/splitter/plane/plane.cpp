@@ -61,7 +61,7 @@ struct Plane : lumen::Splitter {
   }
 
   const PlaneCut& cut_of(const lumen::SplitSurface& surface, const glm::vec4& plane) {
-    PlaneCut::Asked asked{.mesh = surface.mesh, .object_to_world = surface.object_to_world, .plane = plane, .groups = kept_.groups(surface, whole), .capped = interior.caps()};
+    PlaneCut::Asked asked{.mesh = surface.mesh, .object_to_world = surface.object_to_world, .plane = plane, .groups = kept_.groups(surface.mesh, whole), .capped = interior.caps()};
     std::erase_if(cuts_, [](const PlaneCut& cut) { return cut.asked.mesh.expired(); });
     const auto found = std::find_if(cuts_.begin(), cuts_.end(), [&](const PlaneCut& cut) { return cut.asked.mesh.lock() == surface.mesh && cut.asked.object_to_world == surface.object_to_world; });
     if (found == cuts_.end()) return cuts_.emplace_back(std::move(asked));
