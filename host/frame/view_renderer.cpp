@@ -63,7 +63,7 @@ bool ViewRenderer::State::draw(bool final) {
   stale = false;
   camera = scene.camera != nullptr ? scene.camera->as<lumen::Interactor>(Kind::interactor)->camera()
                                    : fitting_camera(scene.bounds, float(size.x) / float(size.y));
-  split_surfaces(scene, camera);
+  split_surfaces(scene, camera, split_store);
   lights = make_lights(scene, camera);
   light_block.write(std::as_bytes(std::span(&lights, 1)));
   values.update(session);

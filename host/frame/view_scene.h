@@ -11,6 +11,7 @@
 #include <lumen/frame.h>
 #include <lumen/part.h>
 
+#include "frame/split_store.h"
 #include "model/session.h"
 #include "model/view.h"
 
@@ -49,7 +50,7 @@ struct ViewScene {
 /// no such view.
 ViewScene find_scene(const Session& session, const std::string& view, const std::string& substitute = {});
 
-/// Asks the splitters for the parts that the camera's picture has. What cannot be split stays whole and is a problem.
-void split_surfaces(ViewScene& scene, const lumen::Camera& camera);
+/// Asks the splitters for the parts that the camera's picture has; the view's store keeps what their composition needs. What cannot be split stays whole and is a problem.
+void split_surfaces(ViewScene& scene, const lumen::Camera& camera, SplitStore& store);
 
 }  // namespace lumenshop

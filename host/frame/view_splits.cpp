@@ -1,11 +1,11 @@
 /// What the splitters of a scene make of its surfaces: their splits, composed.
 #include <algorithm>
-#include <map>
 
 #include <lumen/mesh.h>
 #include <lumen/renderer.h>
 #include <lumen/splitter.h>
 
+#include "frame/split_store.h"
 #include "frame/view_scene.h"
 
 namespace lumenshop {
@@ -15,42 +15,46 @@ using lumen::Kind;
 
 constexpr std::size_t most_parts = 4096, most_planes = 8;
 
-/// The groups of both splits: triangles are together that are so in both. Fills in the number of each pair of groups.
-std::shared_ptr<const std::vector<std::uint32_t>> composed_groups(const lumen::Split& a, const lumen::Split& b, std::map<std::pair<int, int>, int>& number) {
-  if (a.groups == nullptr) return b.groups;
-  if (b.groups == nullptr) return a.groups;
-  auto both = std::make_shared<std::vector<std::uint32_t>>(a.groups->size());
-  for (std::size_t i = 0; i < both->size(); ++i)
-    (*both)[i] = std::uint32_t(number.try_emplace({int((*a.groups)[i]), int((*b.groups)[i])}, int(number.size())).first->second);
-  return both;
+/// The caps of `of`'s part `index`, in `part`, whose planes are the same from `first_plane` on. `grouped`: the part holds fewer triangles than
+/// the cap was made for.
+void take_caps(lumen::Split& both, lumen::Part& part, const lumen::Split& of, std::size_t index, std::size_t first_plane, bool grouped, const lumen::TracedSurface& surface, SplitStore& store) {
+  for (lumen::Cap cap : of.caps) {
+    if (cap.part != int(index)) continue;
+    cap.part = int(both.parts.size());
+    cap.plane += int(first_plane);
+    if (grouped && surface.mesh != nullptr) {
+      const SplitStore::GroupCap& own = store.cap(cap, part.planes.at(std::size_t(cap.plane)), *surface.mesh, surface.object_to_world, both.groups, part.group);
+      if (!own.closed) part.openings.reset();
+      if (own.shape == nullptr) continue;
+      cap.shape = own.shape;
+    }
+    both.caps.push_back(std::move(cap));
+  }
 }
 
 /// Cut by both; what `a` moved is moved further by `b`.
-lumen::Split composed(const lumen::Split& a, const lumen::Split& b, const std::string& surface) {
+lumen::Split composed(const lumen::Split& a, const lumen::Split& b, const lumen::TracedSurface& traced, const std::string& surface, SplitStore& store) {
   if (a.parts.size() * b.parts.size() > most_parts) throw lumen::Error(surface, "its splitters make more than 4096 parts of it");
   lumen::Split both{.parts = {}};
-  std::map<std::pair<int, int>, int> number;
-  both.groups = composed_groups(a, b, number);
+  const CommonGroups* common = a.groups != nullptr && b.groups != nullptr ? &store.common(a.groups, b.groups) : nullptr;
+  both.groups = common != nullptr ? common->groups : a.groups != nullptr ? a.groups : b.groups;
   for (std::size_t i = 0; i < a.parts.size(); ++i)
     for (std::size_t k = 0; k < b.parts.size(); ++k) {
       const lumen::Part &first = a.parts[i], &second = b.parts[k];
       lumen::Part part{.transform = second.transform * first.transform, .planes = first.planes, .removable = first.removable && second.removable};
       part.planes.insert(part.planes.end(), second.planes.begin(), second.planes.end());
       part.group = first.group < 0 ? second.group : first.group;
-      if (first.group >= 0 && second.group >= 0 && a.groups != nullptr && b.groups != nullptr) {
-        const auto pair = number.find({first.group, second.group});
-        if (pair == number.end()) continue;  // no triangle is in both
+      if (first.group >= 0 && second.group >= 0 && common != nullptr) {
+        const auto pair = common->number.find({first.group, second.group});
+        if (pair == common->number.end()) continue;  // no triangle is in both
         part.group = pair->second;
       }
       if (first.openings && second.openings) {
         part.openings = first.openings;
         part.openings->insert(part.openings->end(), second.openings->begin(), second.openings->end());
       }
-      const int index = int(both.parts.size());
-      for (lumen::Cap cap : a.caps)
-        if (cap.part == int(i)) cap.part = index, both.caps.push_back(cap);
-      for (lumen::Cap cap : b.caps)
-        if (cap.part == int(k)) cap.part = index, cap.plane += int(first.planes.size()), both.caps.push_back(cap);
+      take_caps(both, part, a, i, 0, second.group >= 0, traced, store);
+      take_caps(both, part, b, k, first.planes.size(), first.group >= 0, traced, store);
       both.parts.push_back(std::move(part));
     }
   if (both.parts.empty()) throw lumen::Error(surface, "its splitters leave nothing of it");
@@ -68,7 +72,7 @@ void check(const lumen::Split& split, const lumen::Mesh* mesh, const std::string
       throw lumen::Error(splitter, "a cap has no part, plane or shape");
 }
 
-lumen::Split split_of(const SceneSurface& surface, const lumen::Camera& camera) {
+lumen::Split split_of(const SceneSurface& surface, const lumen::Camera& camera, SplitStore& store) {
   const auto* renderer = surface.instance->as<lumen::Renderer>(Kind::renderer);
   const lumen::TracedSurface traced = renderer->traced();
   lumen::Split split;
@@ -77,7 +81,7 @@ lumen::Split split_of(const SceneSurface& surface, const lumen::Camera& camera) 
     auto* plugin = splitter.as<lumen::Splitter>(Kind::splitter);
     lumen::Split own = plugin->split({.mesh = traced.mesh, .object_to_world = traced.object_to_world, .bounds = renderer->bounds(), .camera = camera});
     check(own, traced.mesh.get(), splitter.id());
-    split = i == 0 ? std::move(own) : composed(split, own, surface.instance->id());
+    split = i == 0 ? std::move(own) : composed(split, own, traced, surface.instance->id(), store);
   }
   check(split, traced.mesh.get(), surface.instance->id());
   return split;
@@ -89,14 +93,14 @@ bool SceneSurface::removes() const {
   return std::any_of(splitters.begin(), splitters.end(), [](Instance* splitter) { return splitter->as<lumen::Splitter>(Kind::splitter)->removes(); });
 }
 
-void split_surfaces(ViewScene& scene, const lumen::Camera& camera) {
+void split_surfaces(ViewScene& scene, const lumen::Camera& camera, SplitStore& store) {
   for (auto* surfaces : {&scene.opaque, &scene.transparent})
     for (SceneSurface& surface : *surfaces)
       for (Instance* splitter : surface.splitters) splitter->clear_reports();
   for (auto* surfaces : {&scene.opaque, &scene.transparent})
     for (SceneSurface& surface : *surfaces) {
       try {
-        surface.split = split_of(surface, camera);
+        surface.split = split_of(surface, camera, store);
       } catch (const std::exception& error) {
         scene.problems.push_back({.severity = lumen::Severity::error, .instance = surface.splitters.front()->id(), .message = error.what()});
         surface.splitters.clear();
@@ -105,6 +109,7 @@ void split_surfaces(ViewScene& scene, const lumen::Camera& camera) {
       const lumen::Bounds bounds = surface.instance->as<lumen::Renderer>(Kind::renderer)->bounds();
       for (const lumen::Part& part : surface.split.parts) scene.split_bounds.include(bounds.transformed(part.transform));
     }
+  store.forget_unused();
 }
 
 }  // namespace lumenshop

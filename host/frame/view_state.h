@@ -32,6 +32,7 @@ struct ViewRenderer::State {
   Shading shading;
   PassLog log;
   CapStore caps;
+  SplitStore split_store;
   LayerStore centers, fine;         ///< layers at the pixels' centers, which are kept; of antialiasing's samples
   lumen::gl::Buffer frame_block, light_block;
   std::map<std::string, PluginPassMemory> memories;

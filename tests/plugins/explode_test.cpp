@@ -261,6 +261,22 @@ TEST(Explode, PartsAreThoseOfAnArray) {
   EXPECT_THROW(exploded.split(), lumen::Error);
 }
 
+TEST(Explode, ACutPartTakesAlongItsOwnCapAlone) {
+  for (const char* order : {R"(["cut", "parts"])", R"(["parts", "cut"])"}) {
+    Scene scene({220, 220});  // 100 pixels per world unit, seen from +z
+    scene.add("splitter.plane", "cut");
+    scene.add("splitter.explode", "parts", R"({"layout": "graph", "spacing": 0.5, "degree": 1})");
+    scene.surface("boxes", lumen::testing::joined({box(glm::vec3(0.4f), {-0.5f, 0, 0}), box(glm::vec3(0.4f), {0.5f, 0, 0})}));
+    scene.set("boxes.splitter", order);
+    const auto depth = scene.layer("depth");
+    int covered = 0;
+    for (int y = 0; y < 220; ++y)
+      for (int x = 0; x < 220; ++x) covered += !std::isinf(depth.at(x, y));
+    EXPECT_EQ(covered, 2 * 40 * 40) << order;
+    EXPECT_TRUE(scene.problems().empty());
+  }
+}
+
 TEST(Explode, OfTooManyPartsTheSmallestStay) {
   std::vector<MeshPointer> boxes;
   for (int i = 0; i < 600; ++i) {

@@ -18,7 +18,9 @@ namespace {
 using namespace lumen;
 
 struct Explode : Interactor {
-  using Interactor::Interactor;
+  explicit Explode(Binding& binding) : Interactor(binding) {
+    if (!splitter->empty()) attach_all();
+  }
 
   Property<Reference> splitter{this, "splitter", {}, {.doc = "the splitter.explode whose parts it moves", .accepts = "splitter", .affects = Affects::nothing}};
   Property<bool> riffle{this, "riffle", true, {.doc = "the part under the pointer comes out for as long as the pointer is there", .affects = Affects::nothing}};
@@ -29,17 +31,12 @@ struct Explode : Interactor {
   Property<std::vector<float>> pulled{this, "pulled", {}, {.min = 0, .max = 1, .doc = "the splitter's", .advanced = true, .affects = Affects::nothing}};
   Property<std::vector<float>> ways{this, "ways", {}, {.unit = "world", .doc = "the splitter's", .advanced = true, .affects = Affects::nothing}};
   Property<std::string> group_by{this, "group_by", {}, {.doc = "the splitter's", .advanced = true, .affects = Affects::nothing}};
-  Property<Reference> hand{this, "hand", {}, {.doc = "the splitter's, which knows the pointer by it", .accepts = "interactor", .advanced = true, .affects = Affects::nothing}};
+  Property<Reference> hand{this, "hand", {id()}, {.doc = "the splitter's, which knows the pointer by it", .accepts = "interactor", .advanced = true, .affects = Affects::nothing}};
 
   void changed(std::string_view property) override {
-    if (property == "splitter") {
-      attach(degree, ".degree");
-      attach(pulled, ".pulled");
-      attach(ways, ".ways");
-      attach(group_by, ".group_by");
-      attach(hand, ".hand");
-    }
-    if (!splitter->empty() && hand->id != id()) hand.set({id()});
+    if (property == "splitter") attach_all();
+    // The splitter's, by the link: it now knows its hand.
+    if (property == "hand" && !splitter->empty() && hand->id != id()) hand.set({id()});
   }
 
   bool input(const InputEvent& event, ViewInput& view) override {
@@ -78,6 +75,14 @@ struct Explode : Interactor {
   void attach(PropertyBase& property, const char* of) {
     if (splitter->empty()) property.unlink();
     else property.link(splitter->id + of);
+  }
+
+  void attach_all() {
+    attach(degree, ".degree");
+    attach(pulled, ".pulled");
+    attach(ways, ".ways");
+    attach(group_by, ".group_by");
+    attach(hand, ".hand");
   }
 
   static float at(const std::vector<float>& list, int number) { return std::size_t(number) < list.size() ? list[std::size_t(number)] : 0.0f; }

@@ -15,7 +15,7 @@
 namespace {
 
 struct Explode : lumen::Splitter {
-  using Splitter::Splitter;
+  explicit Explode(lumen::Binding& binding) : Splitter(binding) { follow_hand(); }
 
   lumen::Property<lumen::Choice> layout{this, "layout", {"forces"}, {.doc = "what moves the parts: forces around the selection, or a graph of what blocks what, by which none moves through another", .choices = {"forces", "graph"}}};
   lumen::Property<float> degree{this, "degree", 0.5f, {.min = 0, .max = 1, .doc = "how far the parts are apart; 0 leaves the surface as it is"}};
@@ -36,7 +36,7 @@ struct Explode : lumen::Splitter {
   void changed(std::string_view property) override {
     if (property != "hand") return;
     if (hand->empty()) riffled.unlink();
-    else riffled.link(hand->id + ".riffled");
+    follow_hand();
   }
 
   lumen::Split split(const lumen::SplitSurface& surface) override {
@@ -59,6 +59,10 @@ struct Explode : lumen::Splitter {
   }
 
  private:
+  void follow_hand() {
+    if (!hand->empty()) riffled.link(hand->id + ".riffled");
+  }
+
   /// A surface, and what is slow to find of it.
   struct Laid {
     explicit Laid(PiecesAsked asked) : pieces(std::move(asked)) {}
