@@ -19,6 +19,10 @@ Offscreen::Offscreen(const Options& options) : view_id_(options.view), size_(opt
   workshop_->scheduler().update();  // files are read on worker threads while the driver starts
   context_.emplace();
   reopen();
+  if (!options.layers.empty()) {
+    view_->request(options.layers);
+    if (!workshop_->scheduler().running().empty()) view_->prepare();
+  }
   workshop_->scheduler().wait();
 }
 

@@ -24,6 +24,7 @@ class Offscreen {
     std::string view;                                   ///< empty = the first
     glm::ivec2 size{1280, 1024};
     std::vector<std::string> warm_workers;              ///< see Workshop
+    std::vector<std::string> layers;                    ///< what finish() is for, see ViewRenderer::request(); empty = not known yet
   };
   /// Opens the files and makes the GL context while they are read; returns when all data is there. Overrides that do not
   /// fit and data that failed become findings. Throws lumen::Error if there is nothing to draw at all.

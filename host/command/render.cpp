@@ -67,11 +67,10 @@ int run_render(const RenderOptions& options, const std::vector<std::filesystem::
   keep_memory();
   const std::vector<std::string> layers = layers_of(options);
   Offscreen offscreen({.files = options.files, .plugin_folders = plugin_folders, .overrides = options.overrides,
-                       .view = options.view, .size = options.size, .warm_workers = workers_of(options)});
+                       .view = options.view, .size = options.size, .warm_workers = workers_of(options), .layers = layers});
   Workshop& workshop = offscreen.workshop();
   const FormatCatalog formats(workshop.registry());
   Instance& exporter = formats.exporter_of(options.output, lumen::DataKind::image);
-  offscreen.view().request(layers);
 
   const std::string view_id = options.view.empty() ? workshop.session().views().front()->id() : options.view;
   Findings findings;

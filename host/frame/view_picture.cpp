@@ -181,6 +181,13 @@ void ViewRenderer::State::draw_picture(bool final) {
   draw_compositors(samples > 1 ? "mean" : scene_layer);
 }
 
+void ViewRenderer::State::prepare() {
+  find();
+  if (content_key != 0 || scene.view == nullptr || needs_centers()) return;
+  geometry = geometry_of(whole());
+  for (const SampleLayer& layer : sample_layers(scene.occlusion != nullptr)) centers.allocate(layer.name, layer.format, geometry.size());
+}
+
 void ViewRenderer::State::draw_mean_alone() {
   const bool occluded = scene.occlusion != nullptr;
   // What stands for the center of a pixel is its first sample.
@@ -189,7 +196,7 @@ void ViewRenderer::State::draw_mean_alone() {
   geometry = geometry_of(window);
   if (opaque_key() != content_key) samples = 0;
   if (samples == 0) {
-    centers.clear();
+    if (content_key != 0) centers.clear();  // not what prepare() made
     log.forget();
     prepare_splitters();
     while (samples < samples_wanted()) add_samples(occluded);
@@ -223,20 +230,23 @@ std::uint64_t ViewRenderer::State::opaque_key() {
   return hash.value();
 }
 
-void ViewRenderer::State::begin_samples(bool apart) {
-  const float zero[4] = {}, far[4] = {std::numeric_limits<float>::infinity(), 0, 0, 0}, one[4] = {1, 0, 0, 0};
-  const auto clear = [&](const std::string& layer, lumen::Format format, const float* value) {
-    const lumen::gl::Texture& texture = centers.allocate(layer, format, geometry.size());
-    glClearTexImage(texture.name(), 0, format == lumen::Format::depth32F ? GL_DEPTH_COMPONENT : format == lumen::Format::R32F ? GL_RED : GL_RGBA, GL_FLOAT, value);
-  };
-  clear("mean", lumen::Format::RGBA32F, zero);
+std::vector<ViewRenderer::State::SampleLayer> ViewRenderer::State::sample_layers(bool apart) const {
+  constexpr float far = std::numeric_limits<float>::infinity();
+  std::vector<SampleLayer> layers{{"mean", lumen::Format::RGBA32F}};
   for (const std::string& layer : requested)
-    if (layer == "ambient" || layer == "diffuse" || layer == "specular" || layer == "transparent") clear("mean " + layer, lumen::Format::RGBA32F, zero);
-  if (requested.contains("opacity")) clear("mean transparent", lumen::Format::RGBA32F, zero);
-  if (!apart) return;
-  clear("normal", lumen::Format::RGBA16F, zero);  // for the occlusion alone
-  clear("depth", lumen::Format::R32F, far);
-  clear("depth_buffer", lumen::Format::depth32F, one);
+    if (layer == "ambient" || layer == "diffuse" || layer == "specular" || layer == "transparent") layers.push_back({"mean " + layer, lumen::Format::RGBA32F});
+  if (requested.contains("opacity") && !requested.contains("transparent")) layers.push_back({"mean transparent", lumen::Format::RGBA32F});
+  if (apart)  // for the occlusion alone
+    layers.insert(layers.end(), {{"normal", lumen::Format::RGBA16F}, {"depth", lumen::Format::R32F, far}, {"depth_buffer", lumen::Format::depth32F, 1}});
+  return layers;
+}
+
+void ViewRenderer::State::begin_samples(bool apart) {
+  for (const SampleLayer& layer : sample_layers(apart)) {
+    const float empty[4] = {layer.empty, 0, 0, 0};
+    const GLenum channels = layer.format == lumen::Format::depth32F ? GL_DEPTH_COMPONENT : layer.format == lumen::Format::R32F ? GL_RED : GL_RGBA;
+    glClearTexImage(centers.allocate(layer.name, layer.format, geometry.size()).name(), 0, channels, GL_FLOAT, empty);
+  }
 }
 
 void ViewRenderer::State::add_samples(bool apart) {

@@ -84,6 +84,8 @@ void ViewRenderer::finish() {
   while (unfinished());
 }
 
+void ViewRenderer::prepare() { state_->prepare(); }
+
 float ViewRenderer::progress() const {
   // Refinements of passes come before the samples of antialiasing.
   constexpr float passes_share = 0.8f;

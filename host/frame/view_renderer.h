@@ -43,6 +43,8 @@ class ViewRenderer {
   /// More refinements (antialiasing, progressive passes) are wanted: call draw() again while idle.
   bool unfinished() const;
   void finish();                              ///< draws until it is not
+  /// While data is awaited: makes the layers that the first finish() fills, which takes as long as a pass.
+  void prepare();
   float progress() const;                     ///< 0..1 of the refinements
 
   /// The finished picture, viewport only, linear with associated alpha.

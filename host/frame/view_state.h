@@ -75,11 +75,18 @@ struct ViewRenderer::State {
   void draw_occlusion(const FrameContext& frame);
   std::string light_scene(const FrameContext& frame);  ///< with transparency; the name of the layer that holds the lit scene
   void draw_picture(bool final);
+  void prepare();
   /// Antialiasing without the picture of the centers: each surface is drawn once. The occlusion follows, since it serves all
   /// samples of a pixel: their mean is apart of what it attenuates.
   void draw_mean_alone();
   std::uint64_t opaque_key();
-  void begin_samples(bool apart);   ///< what the samples go to, empty
+  struct SampleLayer {
+    std::string name;
+    lumen::Format format;
+    float empty = 0;                ///< its first channel where no sample has been
+  };
+  std::vector<SampleLayer> sample_layers(bool apart) const;  ///< what the samples go to
+  void begin_samples(bool apart);   ///< makes it empty
   void add_samples(bool apart);     ///< a round of antialiasing; `apart`: see LightingOutput
   void draw_compositors(const std::string& scene_layer);
   int border() const;
