@@ -115,7 +115,7 @@ void ViewRenderer::State::world_position(glm::ivec2 pixel, float depth, const gl
   position[0] = world.x, position[1] = world.y, position[2] = world.z;
 }
 
-ViewRenderer::Hit ViewRenderer::pick(glm::ivec2 pixel) {
+ViewRenderer::Hit ViewRenderer::pick(glm::ivec2 pixel, const std::function<bool(const Instance&)>& wanted) {
   State& state = *state_;
   Hit hit;
   if (state.scene.view == nullptr || pixel.x < 0 || pixel.y < 0 || pixel.x >= state.size.x || pixel.y >= state.size.y) return hit;
@@ -145,7 +145,8 @@ ViewRenderer::Hit ViewRenderer::pick(glm::ivec2 pixel) {
       .identifies = true};
   const FrameContext frame = state.context(0, state.whole(), state.geometry, state.centers);
   for (const auto* surfaces : {&state.scene.opaque, &state.scene.transparent})
-    for (const SceneSurface& surface : *surfaces) draw_surface(frame, surface, output);
+    for (const SceneSurface& surface : *surfaces)
+      if (!wanted || wanted(*surface.instance)) draw_surface(frame, surface, output);
   glDisable(GL_SCISSOR_TEST);
   GLuint numbers[4] = {};
   float distance = 0;
@@ -155,6 +156,9 @@ ViewRenderer::Hit ViewRenderer::pick(glm::ivec2 pixel) {
   hit.instance = int(numbers[0]);
   hit.part = int(numbers[1]);
   hit.primitive = int(numbers[2]);
+  for (const auto* surfaces : {&state.scene.opaque, &state.scene.transparent})
+    for (const SceneSurface& surface : *surfaces)
+      if (surface.instance->number() == hit.instance) hit.moved = surface.split.parts.at(std::size_t(hit.part - 1)).transform;
   const glm::vec2 uv = (glm::vec2(at) + 0.5f) / glm::vec2(size);
   const glm::vec4 unproject = state.geometry.block.unproject;
   const glm::vec2 plane = uv * glm::vec2(unproject) + glm::vec2(unproject.z, unproject.w);

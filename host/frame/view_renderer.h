@@ -3,6 +3,7 @@
 /// Thread: main, GL context current. One per view; programs and geometry are shared through the Composer.
 #pragma once
 
+#include <functional>
 #include <memory>
 #include <string>
 #include <vector>
@@ -54,9 +55,11 @@ class ViewRenderer {
 
   const lumen::Camera& camera() const;
   lumen::Bounds scene_bounds() const;
-  /// What is under a pixel (origin top left): instance number, part, primitive (1..), 0 = background; and its world position.
-  struct Hit { int instance = 0, part = 0, primitive = 0; glm::vec3 position{0}; };
-  Hit pick(glm::ivec2 pixel);
+  /// What is under a pixel (origin top left): instance number, part, primitive (1..), 0 = background; its world position, and
+  /// how the part was moved there.
+  struct Hit { int instance = 0, part = 0, primitive = 0; glm::vec3 position{0}; glm::mat4 moved{1}; };
+  /// `wanted`: which renderers; all if it is empty.
+  Hit pick(glm::ivec2 pixel, const std::function<bool(const Instance& renderer)>& wanted = {});
 
   /// Draws with this occlusion or transparency in place of the view's own; empty: the view's own.
   void substitute(const std::string& instance);

@@ -205,7 +205,9 @@ void Application::take_keys(const std::vector<WindowEvent>& events) {
     const bool editing_key = event.name == "Del" || event.name == "Backspace" || (event.control && (event.name == "C" || event.name == "V"));
     if (taken && editing_key) continue;
     if (!event.repeated && commands_.press(event.name, event.control, event.shift, typing)) continue;
-    if (!typing && ImGui::GetActiveID() == 0) view_.key(event);
+    // While the view is dragged in, its picture is ImGui's active item.
+    const bool gives_up = event.name == "Esc" && view_.input().captured();
+    if (!typing && (ImGui::GetActiveID() == 0 || gives_up)) view_.key(event);
   }
 }
 

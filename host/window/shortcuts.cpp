@@ -13,7 +13,9 @@ namespace {
 /// What the mouse does is in no table: it has no command.
 constexpr std::pair<const char*, const char*> mouse[] = {
     {"left drag", "orbit"}, {"middle or Shift + left drag", "pan"}, {"wheel, right or Ctrl + left drag", "zoom to the pointer"},
-    {"Ctrl + Shift + left drag", "roll"}, {"double click", "pivot here; on the background: fit all"}, {"L + left drag", "turn the light"}};
+    {"Ctrl + Shift + left drag", "roll"}, {"double click", "pivot here; on the background: fit all"}, {"L + left drag", "turn the light"},
+    {"click, Shift or Ctrl + click", "pick; add to what is picked or remove from it"},
+    {"drag a plane's handle", "move or turn it; Shift: fine, Ctrl: steps, Esc: as it was"}, {"double click a plane's handle", "turn the plane to the eye"}};
 
 }  // namespace
 

@@ -86,20 +86,27 @@ void ViewPanel::take_button(const WindowEvent& event, const Context& context, bo
   }
   if (button != held_button_) return;
   const bool a_tools = input_.captured_by_tool();
+  const InputEvent click = event_at(InputEvent::Type::click, event);
   if (input_.captured()) input_.send(event_at(InputEvent::Type::release, event));
   held_button_ = InputEvent::Button::none;
   if (moved_ || !hovered || a_tools) return;
   if (button == InputEvent::Button::right) open_menu_ = true;
-  // A second click has been a double click already; a modified one belongs to the interactors.
-  else if (button == InputEvent::Button::left && last_click_ > 0 && !event.shift && !event.control && held_letter_.empty())
-    context.select(view_.empty() ? std::string() : input_.instance_at(pointer_ - place_.min));
+  // A second click has been a double click already.
+  if (button != InputEvent::Button::left || last_click_ < 0) return;
+  input_.send(click);
+  // A modified one belongs to the interactors alone.
+  if (event.shift || event.control || !held_letter_.empty()) return;
+  context.select(view_.empty() ? std::string() : input_.instance_at(pointer_ - place_.min));
 }
 
 bool ViewPanel::key(const WindowEvent& event) {
   if (view_.empty()) return false;
   InputEvent sent = event_at(InputEvent::Type::key, event);
   sent.key = event.name;
-  return input_.send(sent);
+  const bool held = input_.captured(), claimed = input_.send(sent);
+  // The release of a drag that was given up is no click.
+  moved_ = moved_ || (held && !input_.captured());
+  return claimed;
 }
 
 }  // namespace lumenshop

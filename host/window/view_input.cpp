@@ -1,6 +1,7 @@
 #include "window/view_input.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include <lumen/renderer.h>
 
@@ -46,19 +47,23 @@ bool ViewInputRouter::ask(Instance& instance, const InputEvent& event) {
 
 bool ViewInputRouter::send(const InputEvent& event) {
   if (!situation_.renderer) return false;
+  if (event.type == InputEvent::Type::move) cursor_ = lumen::Cursor::arrow;
   if (captured()) {
     Instance* owner = situation_.session->find(captured_by_);
-    if (owner && owner->as<lumen::Interactor>(Kind::interactor)) ask(*owner, event);
-    if (event.type == InputEvent::Type::release || !owner) let_go();
+    const bool claimed = owner && owner->as<lumen::Interactor>(Kind::interactor) && ask(*owner, event);
+    if (claimed && event.type == InputEvent::Type::key && event.key == "Esc") situation_.session->cancel_edit();
+    else if (event.type != InputEvent::Type::release && owner) return true;
+    let_go();
     return true;
   }
   const bool press = event.type == InputEvent::Type::press;
+  const bool one_step = press || event.type == InputEvent::Type::click || event.type == InputEvent::Type::double_click;
   for (Instance* instance : order()) {
     // Opened first: what a press does at once belongs to the drag's step.
-    if (press) situation_.session->begin_edit();
+    if (one_step) situation_.session->begin_edit();
     const bool claimed = ask(*instance, event);
     if (claimed && press) captured_by_ = instance->id();
-    else if (press) situation_.session->end_edit();
+    else if (one_step) situation_.session->end_edit();
     if (claimed) return true;
   }
   return false;
@@ -96,6 +101,21 @@ void ViewInputRouter::animate() {
   if (std::find(animated_.begin(), animated_.end(), asked_) == animated_.end()) animated_.push_back(asked_);
 }
 
+std::vector<ViewInputRouter::PlacedLabel> ViewInputRouter::labels() const {
+  std::vector<PlacedLabel> labels;
+  if (!situation_.renderer) return labels;
+  const lumen::Camera& eye = camera();
+  for (const Instance* instance : order())
+    for (lumen::Label& label : instance->as<lumen::Interactor>(Kind::interactor)->labels()) {
+      const glm::vec3 seen = eye.view * glm::vec4(label.position, 1);
+      if (!eye.orthographic && seen.z >= 0) continue;
+      const float visible = eye.orthographic ? eye.height : -2 * seen.z * std::tan(glm::radians(0.5f * eye.field_of_view));
+      const glm::vec2 size(situation_.size);
+      labels.push_back({instance->id(), std::move(label.text), 0.5f * size + glm::vec2(seen.x, -seen.y) * (size.y / visible)});
+    }
+  return labels;
+}
+
 lumen::Bounds ViewInputRouter::selection() const {
   const Instance* instance = situation_.session->find(situation_.selection);
   const auto* renderer = instance ? instance->as<lumen::Renderer>(Kind::renderer) : nullptr;
@@ -103,11 +123,11 @@ lumen::Bounds ViewInputRouter::selection() const {
   return bounds.empty() ? scene() : bounds;
 }
 
-ViewRenderer::Hit ViewInputRouter::hit(glm::vec2 pixel) {
+ViewRenderer::Hit ViewInputRouter::hit(glm::vec2 pixel, const std::function<bool(const Instance&)>& wanted) {
   // The renderer may be at a lower resolution while something moves.
   const glm::vec2 scale = glm::vec2(situation_.renderer->size()) / glm::vec2(situation_.size);
   const glm::ivec2 last = situation_.renderer->size() - 1;
-  return situation_.renderer->pick(glm::clamp(glm::ivec2(pixel * scale), glm::ivec2(0), last));
+  return situation_.renderer->pick(glm::clamp(glm::ivec2(pixel * scale), glm::ivec2(0), last), wanted);
 }
 
 std::optional<glm::vec3> ViewInputRouter::surface_at(glm::vec2 pixel) {
@@ -127,12 +147,15 @@ std::string ViewInputRouter::instance_at(glm::vec2 pixel) {
   return instance == nullptr ? std::string() : instance->id();
 }
 
-std::optional<lumen::Picked> ViewInputRouter::pick(glm::vec2 pixel) {
-  const ViewRenderer::Hit under = hit(pixel);
+std::optional<lumen::Picked> ViewInputRouter::pick(glm::vec2 pixel, const std::vector<std::string>& renderers) {
+  const ViewRenderer::Hit under = hit(pixel, [&](const Instance& renderer) {
+    if (renderers.empty()) return renderer.as<lumen::Renderer>(Kind::renderer)->traced().mesh != nullptr;
+    return std::find(renderers.begin(), renderers.end(), renderer.id()) != renderers.end();
+  });
   Instance* instance = instance_of(under.instance);
   if (instance == nullptr) return std::nullopt;
   const lumen::TracedSurface surface = instance->as<lumen::Renderer>(Kind::renderer)->traced();
-  return lumen::Picked{.renderer = instance->id(), .part = under.part - 1, .cell = under.primitive - 1, .position = under.position,
+  return lumen::Picked{.renderer = instance->id(), .part = under.part - 1, .moved = under.moved, .cell = under.primitive - 1, .position = under.position,
                        .mesh = surface.mesh, .object_to_world = surface.object_to_world};
 }
 

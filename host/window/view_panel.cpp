@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include <epoxy/gl.h>
+#include <glm/vector_relational.hpp>
 #include <imgui.h>
 
 #include <lumen/ui/look.h>
@@ -73,6 +74,9 @@ void ViewPanel::draw(const Context& context) {
   input_.tick();
   if (view_.empty()) draw_empty(place_);
   else draw_chips(context);
+  if (!view_.empty() && !context.figure) draw_labels();
+  if (hovered && input_.cursor() == lumen::Cursor::hand) ImGui::SetMouseCursor(ImGuiMouseCursor_Hand);
+  if (hovered && input_.cursor() == lumen::Cursor::move) ImGui::SetMouseCursor(ImGuiMouseCursor_ResizeAll);
   if (std::exchange(open_menu_, false)) ImGui::OpenPopup("view menu");
   ImGui::PopStyleVar();
   if (ImGui::BeginPopup("view menu")) {
@@ -95,6 +99,19 @@ void ViewPanel::draw_chips(const Context& context) {
   if (unfinished_ || divider_ > 1) words += (words.empty() ? "" : " \xE2\x80\xA2 ") + ("refining " + std::to_string(divider_ > 1 ? 0 : percent) + " %");
   chip_shown_ = !words.empty();
   if (chip_shown_) chip({place_.min.x + inset, place_.max.y - inset}, words, 0, 1);
+}
+
+void ViewPanel::draw_labels() {
+  const lumen::ui::Look& look = lumen::ui::look();
+  ImGui::PushClipRect({place_.min.x, place_.min.y}, {place_.max.x, place_.max.y}, true);
+  for (const ViewInputRouter::PlacedLabel& label : input_.labels()) {
+    // Toward the middle, so that it stays within the view.
+    const glm::bvec2 beyond = glm::greaterThan(label.pixel, 0.6f * glm::vec2(size_));
+    const glm::vec2 place = place_.min + label.pixel, away = look(12) * glm::vec2(beyond.x ? -1 : 1, beyond.y ? -1 : 1);
+    chip({place.x + away.x, place.y + away.y}, label.text, away.x < 0 ? 1 : 0, away.y < 0 ? 1 : 0);
+    lumen::ui::record("label:" + label.instance, {place.x - 1, place.y - 1}, {place.x + 1, place.y + 1});
+  }
+  ImGui::PopClipRect();
 }
 
 void ViewPanel::draw_empty(const Rectangle& place) {

@@ -53,6 +53,7 @@ class ViewPanel {
   void take_button(const WindowEvent& event, const Context& context, bool hovered);
   void draw_chips(const Context& context);
   void draw_empty(const Rectangle& place);
+  void draw_labels();
   lumen::InputEvent event_at(lumen::InputEvent::Type type, const WindowEvent& event) const;
   void begin_input(const Settings& settings, const std::string& selection);
   ViewRenderer* renderer();

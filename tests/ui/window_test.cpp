@@ -108,6 +108,36 @@ TEST_F(Window, AClickInThePictureSelects) {
     {"click": "outline/front"}, {"idle": 0.1}, {"expect_place": "properties/front.direction"}])json"));
 }
 
+/// A ball cut by the plane x = 0, its halves apart; the handle's middle is the picture's, its arrow points to the right.
+constexpr const char* cut_ball = R"({ "lumenshop": 1,
+  "plugins": {
+    "ball": {"type": "importer.shape"}, "skin": {"type": "renderer.surface", "mesh": {"link": "ball.mesh"}, "splitter": "cut"},
+    "cut": {"type": "splitter.plane", "angle": 90, "offset": 0.2, "whole": {"link": "pick.selection"}},
+    "handle": {"type": "interactor.plane_handle", "plane": "cut", "size": 0.5}, "pick": {"type": "interactor.pick"},
+    "orbit": {"type": "interactor.orbit"}, "front": {"type": "interactor.light"} },
+  "views": {"main": {"camera": "orbit", "lights": ["front"], "renderers": ["skin"], "antialiasing": 1, "interactors": ["handle", "pick", "orbit"]}} }
+)";
+
+TEST_F(Window, DraggingTheHandleIsOneStepAndEscTakesItBack) {
+  std::ofstream(folder / "cut.json") << cut_ball;
+  expect_well(play(R"json([
+    {"settle": true}, {"drag": "view/picture", "at": [0.7, 0.5], "by": [60, 0]}, {"expect": "cut.translation", "differs": [0, 0, 0], "set": true}, {"expect": "orbit.rotation", "set": false},
+    {"key": "Ctrl+Z"}, {"expect": "cut.translation", "value": [0, 0, 0], "set": false},
+    {"drag": "view/picture", "at": [0.7, 0.5], "by": [60, 0], "release": false}, {"expect": "cut.translation", "differs": [0, 0, 0]},
+    {"key": "Esc"}, {"expect": "cut.translation", "value": [0, 0, 0], "set": false}, {"expect": "orbit.rotation", "set": false}, {"expect_problems": 0}])json", "cut.json"));
+}
+
+TEST_F(Window, AClickPicksAPartAndSelectsItsSurface) {
+  std::ofstream(folder / "cut.json") << cut_ball;
+  expect_well(play(R"json([
+    {"settle": true}, {"click": "view/picture", "at": [0.62, 0.4]}, {"idle": 0.1},
+    {"expect": "pick.renderer", "value": "skin"}, {"expect": "pick.part", "value": 0}, {"expect": "cut.whole", "value": [0]}, {"expect": "orbit.rotation", "set": false},
+    {"expect_place": "view/label:pick"}, {"expect_place": "properties/skin.mesh"},
+    {"key": "Ctrl+Z"}, {"expect": "cut.whole", "value": []}, {"expect": "pick.renderer", "value": ""}, {"expect_place": "view/label:pick", "there": false},
+    {"click": "view/picture", "at": [0.38, 0.4], "keys": "Shift"}, {"expect": "pick.part", "value": 1}, {"expect": "cut.whole", "value": [0]},
+    {"idle": 0.4}, {"click": "view/picture", "at": [0.02, 0.98]}, {"expect": "cut.whole", "value": []}, {"expect_place": "properties/skin.mesh", "there": false}, {"expect_problems": 0}])json", "cut.json"));
+}
+
 TEST_F(Window, DrawsNothingWhileIdle) {
   expect_well(play(R"json([{"settle": true}, {"idle": 1}, {"idle": 3, "frames": 0}])json"));
 }

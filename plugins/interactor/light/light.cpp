@@ -62,7 +62,7 @@ struct LightSource : Interactor {
         if (held_) sphere.set_default(false);
         return std::exchange(held_, false);
       case InputEvent::Type::key: return event.held == "L" && key(event, view);
-      case InputEvent::Type::wheel: case InputEvent::Type::double_click: return false;
+      case InputEvent::Type::wheel: case InputEvent::Type::double_click: case InputEvent::Type::click: return false;
     }
     return false;
   }

@@ -57,6 +57,7 @@ struct Orbit : Interactor {
         return true;
       case InputEvent::Type::double_click: return double_click(event, view);
       case InputEvent::Type::key: return key(event, view);
+      case InputEvent::Type::click: return false;
     }
     return false;
   }

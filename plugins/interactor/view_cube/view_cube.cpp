@@ -51,7 +51,7 @@ struct ViewCube : Interactor {
         return std::exchange(held_, std::nullopt).has_value();
       // The second of two clicks is not the scene's.
       case InputEvent::Type::double_click: return under(event.position, view).has_value();
-      case InputEvent::Type::wheel: case InputEvent::Type::key: return false;
+      case InputEvent::Type::wheel: case InputEvent::Type::key: case InputEvent::Type::click: return false;
     }
     return false;
   }
