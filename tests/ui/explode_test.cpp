@@ -33,7 +33,7 @@ struct FakeView : ViewInput {
   Bounds selection() const override { return scene(); }
   std::optional<glm::vec3> surface_at(glm::vec2) override { return under ? std::optional(glm::vec3(*under == 0 ? -1.5f : 1.5f, 0, 1)) : std::nullopt; }
   std::string instance_at(glm::vec2) override { return under ? "balls" : ""; }
-  std::optional<Picked> pick(glm::vec2 pixel) override {
+  std::optional<Picked> pick(glm::vec2 pixel, const std::vector<std::string>&) override {
     if (!under) return std::nullopt;
     return Picked{.renderer = "balls", .part = *under, .cell = *under == 0 ? 0 : int(mesh->triangles.size()) - 1, .position = *surface_at(pixel), .mesh = mesh};
   }
