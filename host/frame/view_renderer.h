@@ -56,7 +56,7 @@ class ViewRenderer {
   struct Hit { int instance = 0, part = 0, primitive = 0; glm::vec3 position{0}; };
   Hit pick(glm::ivec2 pixel);
 
-  /// Draws with this occlusion or transparency in place of the view's own; empty: the view's own.
+  /// Draws with this occlusion or transparency in place of the view's own, or without this splitter; empty: the view as it is.
   void substitute(const std::string& instance);
   /// What an occlusion or transparency holds for this view: layers, scratch textures, buffers.
   std::size_t bytes_of(const Instance& instance) const;
