@@ -61,7 +61,7 @@ class ViewRenderer {
   /// `wanted`: which renderers; all if it is empty.
   Hit pick(glm::ivec2 pixel, const std::function<bool(const Instance& renderer)>& wanted = {});
 
-  /// Draws with this occlusion or transparency in place of the view's own; empty: the view's own.
+  /// Draws with this occlusion or transparency in place of the view's own, or without this splitter; empty: the view as it is.
   void substitute(const std::string& instance);
   /// What an occlusion or transparency holds for this view: layers, scratch textures, buffers.
   std::size_t bytes_of(const Instance& instance) const;

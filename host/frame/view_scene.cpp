@@ -31,11 +31,13 @@ class Finder {
     scene_.problems.push_back({.severity = severity, .instance = instance, .message = message});
   }
 
-  SceneSurface surface(Instance& instance) const {
+  /// `without`: a splitter that is left out.
+  SceneSurface surface(Instance& instance, const std::string& without) const {
     SceneSurface surface{.instance = &instance};
     const int slot = instance.slot_of("splitter");
     if (slot < 0) return surface;
     if (const auto* references = std::get_if<lumen::References>(&instance.read(slot))) surface.splitters = find_all(*references, Kind::splitter);
+    std::erase_if(surface.splitters, [&](const Instance* splitter) { return splitter->id() == without; });
     for (Instance* splitter : surface.splitters) {
       const int look = splitter->slot_of("interior");
       const auto* choice = look < 0 ? nullptr : std::get_if<lumen::Choice>(&splitter->read(look));
@@ -86,7 +88,7 @@ ViewScene find_scene(const Session& session, const std::string& id, const std::s
   for (Instance* renderer : finder.find_all(view->renderers, Kind::renderer)) {
     const lumen::Bounds bounds = renderer->as<lumen::Renderer>(Kind::renderer)->bounds();
     if (bounds.empty()) continue;
-    SceneSurface surface = finder.surface(*renderer);
+    SceneSurface surface = finder.surface(*renderer, substitute);
     scene.bounds.include(bounds);
     const bool transparent = style_of(session, *renderer).terms[3] != nullptr;
     if (transparent && scene.transparency == nullptr)

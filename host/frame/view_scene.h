@@ -46,7 +46,7 @@ struct ViewScene {
   std::vector<LitSurface> lit_surfaces() const;
 };
 
-/// `substitute`: an occlusion or transparency in place of the view's own, or empty. Throws lumen::Error if the session has
+/// `substitute`: an occlusion or transparency in place of the view's own, a splitter to be left out, or empty. Throws lumen::Error if the session has
 /// no such view.
 ViewScene find_scene(const Session& session, const std::string& view, const std::string& substitute = {});
 

@@ -11,8 +11,9 @@ ViewTrial::ViewTrial(Workshop& workshop, const std::string& view, const std::str
     : workshop_(workshop), instance_(instance), renderer_(workshop.session(), workshop.shaders(), view) {
   const Instance* technique = workshop.session().find(instance);
   if (technique == nullptr || technique->plugin() == nullptr) throw lumen::Error(instance, "there is no such instance");
-  if (technique->kind() != lumen::Kind::occlusion && technique->kind() != lumen::Kind::transparency)
-    throw lumen::Error(instance, "is no occlusion and no transparency: there is nothing to compare");
+  is_technique_ = technique->kind() == lumen::Kind::occlusion || technique->kind() == lumen::Kind::transparency;
+  if (!is_technique_ && technique->kind() != lumen::Kind::splitter && technique->kind() != lumen::Kind::renderer)
+    throw lumen::Error(instance, "is no occlusion, transparency, splitter or renderer: there is nothing to compare");
   renderer_.substitute(instance);
   renderer_.resize(workshop.view(view).size());
   renderer_.request(layers);
@@ -27,7 +28,7 @@ bool ViewTrial::step() {
 double ViewTrial::milliseconds() const {
   double sum = 0;
   for (const PassStatistics& pass : renderer_.statistics())
-    if (pass.name == instance_ || pass.name.ends_with("/" + instance_)) sum = std::accumulate(pass.samples.begin(), pass.samples.end(), sum);
+    if (!is_technique_ || pass.name == instance_ || pass.name.ends_with("/" + instance_)) sum = std::accumulate(pass.samples.begin(), pass.samples.end(), sum);
   return sum;
 }
 

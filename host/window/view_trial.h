@@ -1,4 +1,4 @@
-/// A view drawn with another technique, aside from the window.
+/// A view drawn with another technique, without a splitter, or as it is, aside from the window.
 #pragma once
 
 #include <lumen/editor.h>
@@ -21,6 +21,7 @@ class ViewTrial final : public lumen::Trial {
  private:
   Workshop& workshop_;
   std::string instance_;
+  bool is_technique_ = false;   ///< an occlusion or a transparency: its passes alone are timed
   ViewRenderer renderer_;
 };
 

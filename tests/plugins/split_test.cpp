@@ -484,5 +484,32 @@ TEST(SplitFilter, ItsPictureOfAPhantomIsTheImageSpaceOne) {
   EXPECT_LE(pair.different("normal", 0.02f), 20);
 }
 
+TEST(SplitFilter, IsProposedOnceTheCutOfALargeMeshRests) {
+  lumen::testing::Scene scene({32, 32});
+  scene.add("ambient.constant", "ambient");
+  scene.add("splitter.plane", "cut", R"({"many_triangles": 3000, "interior": "none"})");
+  scene.surface("ball", lumen::testing::sphere(64), R"({"ambient": "ambient", "splitter": "cut"})");
+  const auto draw = [&](int frames) {
+    for (int frame = 0; frame < frames; ++frame) {
+      scene.set("camera.height", std::to_string(2 + 0.01 * frame));
+      scene.layer("depth");
+    }
+    return scene.problems();
+  };
+  EXPECT_TRUE(draw(20).empty()) << "the plane may still be looked for";
+  const auto said = draw(20);
+  ASSERT_EQ(said.size(), 1u);
+  EXPECT_EQ(said.front().instance, "cut");
+  EXPECT_EQ(said.front().severity, lumen::Severity::note);
+  EXPECT_NE(said.front().message.find("3,968 triangles"), std::string::npos) << said.front().message;
+  EXPECT_EQ(draw(5).size(), 1u) << "one line, as long as it holds";
+  scene.set("cut.offset", "0.1");
+  EXPECT_EQ(draw(2).size(), 1u) << "the offset costs nothing";
+  scene.set("cut.angle", "3");
+  EXPECT_TRUE(draw(2).empty()) << "it does not rest";
+  scene.set("cut.many_triangles", "5000");
+  EXPECT_TRUE(draw(40).empty()) << "not so large";
+}
+
 }  // namespace
 }  // namespace lumenshop

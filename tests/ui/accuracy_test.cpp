@@ -96,7 +96,7 @@ TEST_F(TrialTest, DrawsTheViewWithAnotherOcclusionAndLeavesTheSessionAlone) {
 }
 
 TEST_F(TrialTest, RefusesWhatIsNoTechnique) {
-  EXPECT_THROW(workbench->trial("main", "wall", {"occlusion"}), lumen::Error);
+  EXPECT_THROW(workbench->trial("main", "orbit", {"occlusion"}), lumen::Error);
   EXPECT_THROW(workbench->trial("main", "nobody", {"occlusion"}), lumen::Error);
 }
 

@@ -4,6 +4,7 @@
 
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
+#include <lumen/error.h>
 
 namespace {
 
@@ -22,7 +23,11 @@ Pieces::Pieces(const lumen::Mesh& mesh, const Cut& cut, const Caps& caps, bool d
 /// Each face of the caps is a cell after those of the mesh: the array "cap" is 1 there, other arrays have the value of a cell beside it.
 void Pieces::make_cells() {
   const auto cell_of = [&](std::uint32_t triangle) { return mesh_.triangle_cells.empty() ? triangle : mesh_.triangle_cells[triangle]; };
-  for (std::uint32_t triangle = 0; triangle < mesh_.triangles.size(); ++triangle) cells_ = std::max(cells_, cell_of(triangle) + 1);
+  constexpr std::uint32_t most_cells = 1u << 28;
+  for (std::uint32_t triangle = 0; triangle < mesh_.triangles.size(); ++triangle) {
+    if (cell_of(triangle) >= most_cells) throw lumen::Error("'" + mesh_.origin + "'", "it has a cell of the number " + lumen::grouped(cell_of(triangle)), "cells beyond 268,435,456 cannot be split");
+    cells_ = std::max(cells_, cell_of(triangle) + 1);
+  }
   const auto on_cells = [](const lumen::Attribute& array) { return array.on == lumen::Attribute::On::cells; };
   for (const lumen::Attribute& array : mesh_.attributes)
     if (on_cells(array)) cells_ = std::max(cells_, std::uint32_t(array.values.size() / std::size_t(array.components)));
@@ -95,7 +100,6 @@ std::vector<float> Pieces::values_of(std::span<const Point> points, const lumen:
   values.reserve(points.size() * components);
   for (const Point& point : points) {
     const float *from = attribute.values.data() + point.origin.from * components, *to = attribute.values.data() + point.origin.to * components;
-    // A value that is not a number must not spread to points that are not made of it.
     for (std::size_t i = 0; i < components; ++i) values.push_back(point.origin.from == point.origin.to ? from[i] : glm::mix(from[i], to[i], point.origin.share));
   }
   return values;

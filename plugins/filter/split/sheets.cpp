@@ -110,7 +110,7 @@ class Separation {
     const glm::dvec3 right = across(uses[0]), up = glm::cross(along, right);
     const auto angle = [&](const EdgeUse& use) {
       const double turned = std::atan2(glm::dot(across(use), up), glm::dot(across(use), right));
-      return turned < 0 ? turned + 2 * std::numbers::pi : turned;
+      return turned < 0 ? turned + 2 * std::numbers::pi : turned >= 0 ? turned : 0;  // an edge without length has no angles
     };
     std::stable_sort(uses.begin(), uses.end(), [&](const EdgeUse& a, const EdgeUse& b) { return angle(a) < angle(b); });
     double enclosed = 0;  // between the first and the second, the third and the fourth ...

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdio>
 
 #include <glm/gtc/matrix_transform.hpp>
 #include <lumen/splitter.h>
@@ -23,6 +24,7 @@ struct Plane : lumen::Splitter {
   lumen::Property<bool> open_when_hidden{this, "open_when_hidden", false, {.doc = "the halves open by themselves while they would hide most of what stays whole", .group = "Opening", .when = "whole"}};
   lumen::Property<float> hidden_share{this, "hidden_share", 0.5f, {.min = 0.01, .max = 1, .doc = "how much of it must be hidden for that", .group = "Opening", .when = "open_when_hidden"}};
   lumen::Property<float> opening{this, "opening", 1.0f, {.min = 0, .max = 1, .doc = "share of the offset that is taken; moves by itself unless set", .group = "Opening"}};
+  lumen::Property<int> many_triangles{this, "many_triangles", 500000, {.min = 1, .unit = "triangles", .doc = "a resting cut of a mesh with at least so many is proposed to be made once, by filter.split", .group = "Proposal", .logarithmic = true, .advanced = true, .affects = lumen::Affects::nothing}};
   lumen::Interior interior{this};
 
   lumen::Split split(const lumen::SplitSurface& surface) override {
@@ -40,6 +42,7 @@ struct Plane : lumen::Splitter {
     if (cut.asked.groups != nullptr) split.parts.push_back({.group = 1, .removable = false});
     split.groups = cut.asked.groups;
     if (interior.caps() && !cut.closed) report(lumen::Severity::note, "'" + surface.mesh->origin + "' has a border at the plane: the cut stays open, its inside lit as its face");
+    if (cut.frames >= frames_of_rest && surface.mesh->triangles.size() >= std::size_t(many_triangles.get())) propose(*surface.mesh);
     return split;
   }
 
@@ -54,6 +57,19 @@ struct Plane : lumen::Splitter {
 
  private:
   static constexpr float stride = 0.125f;
+  static constexpr int frames_of_rest = 30;  ///< each was paid for: the plane is not being looked for any more
+
+  /// Frames are counted, not seconds: a view at rest costs nothing either way.
+  void propose(const lumen::Mesh& mesh) const {
+    constexpr double microseconds_per_triangle = 1.1;  // of filter.split, on one core
+    const std::size_t triangles = mesh.triangles.size();
+    // Both halves, apart and in one, with the numbers of their cells.
+    const std::size_t bytes = 2 * (mesh.bytes() + (mesh.triangle_cells.empty() ? triangles * sizeof(std::uint32_t) : 0));
+    char costs[64];
+    std::snprintf(costs, sizeof costs, "about %.1f s and %.0f MB", 1e-6 * microseconds_per_triangle * double(triangles), 1e-6 * double(bytes));
+    report(lumen::Severity::note, "the cut of " + lumen::grouped(triangles) + " triangles rests, and every frame pays for it: filter.split would take " + costs +
+                                      " once; Window, Split measures both and makes the change");
+  }
 
   glm::vec3 normal() const {
     const glm::vec3 about = axis;
@@ -65,7 +81,8 @@ struct Plane : lumen::Splitter {
     std::erase_if(cuts_, [](const PlaneCut& cut) { return cut.asked.mesh.expired(); });
     const auto found = std::find_if(cuts_.begin(), cuts_.end(), [&](const PlaneCut& cut) { return cut.asked.mesh.lock() == surface.mesh && cut.asked.object_to_world == surface.object_to_world; });
     if (found == cuts_.end()) return cuts_.emplace_back(std::move(asked));
-    if (!found->asked.same(asked)) *found = PlaneCut(std::move(asked));
+    if (found->asked.same(asked)) ++found->frames;
+    else *found = PlaneCut(std::move(asked));
     return *found;
   }
 

@@ -22,4 +22,5 @@ struct PlaneCut {
   bool closed = false;                                       ///< no border of the mesh lies at the plane
   std::vector<glm::vec4> openings;                           ///< spheres around the cut's outlines, if closed
   std::shared_ptr<const lumen::Mesh> cap;                    ///< null: none
+  int frames = 0;                                            ///< drawn since it came to be
 };
