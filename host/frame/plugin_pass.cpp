@@ -98,6 +98,11 @@ const lumen::gl::Texture& PluginPass::scratch(std::string_view name, lumen::Form
   return context_.layers.allocate(name_ + "/" + std::string(name), format, size);
 }
 
+bool PluginPass::leads() const {
+  if (memory_.lead == nullptr) memory_.lead = instance_.take_lead();
+  return memory_.lead != nullptr;
+}
+
 glm::vec3 PluginPass::view_position(glm::ivec2 pixel, float depth) const {
   const glm::vec4& unproject = context_.geometry.block.unproject;
   const glm::vec2 plane = (glm::vec2(pixel) + 0.5f) / glm::vec2(size()) * glm::vec2(unproject) + glm::vec2(unproject.z, unproject.w);
@@ -120,6 +125,7 @@ std::vector<lumen::TracedSurface> PluginPass::traced_surfaces() const {
       if (traced.mesh == nullptr) continue;
       traced.split = surface.split;
       traced.transparent = list == &context_.scene.transparent;
+      traced.removes = surface.removes();
       surfaces.push_back(std::move(traced));
     }
   return surfaces;

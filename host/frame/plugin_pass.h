@@ -2,6 +2,7 @@
 #pragma once
 
 #include <map>
+#include <memory>
 #include <set>
 #include <string>
 
@@ -20,6 +21,7 @@ struct PluginPassMemory {
   int iteration = 0;
   std::uint64_t base_key = 0;    ///< of everything but the iteration
   lumen::TextureInputs inputs = {};  ///< of a splitter: what it drew for this view
+  std::shared_ptr<const void> lead = {};  ///< see Instance::take_lead
 };
 
 /// Where a pass finds layers that stand under another name, and where it writes: layer name -> store name.
@@ -35,6 +37,7 @@ class PluginPass final : public lumen::TransparencyFrame {
   bool run(const std::function<void(PluginPass&)>& draw);
 
   // lumen::Frame
+  bool leads() const override;
   glm::ivec2 size() const override { return context_.geometry.size(); }
   int border() const override { return context_.geometry.border; }
   const lumen::Camera& camera() const override { return context_.geometry.camera; }

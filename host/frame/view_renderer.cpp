@@ -4,6 +4,7 @@
 #include <span>
 
 #include <lumen/interactor.h>
+#include <lumen/splitter.h>
 
 #include "frame/view_state.h"
 
@@ -33,8 +34,28 @@ void ViewRenderer::request(const std::vector<std::string>& layers) {
 void ViewRenderer::State::find() {
   session.update();
   scene = find_scene(session, view, substitute);
+  if (tell_splitters()) scene = find_scene(session, view, substitute);  // a plane that is drawn, say, has moved
   if (scene.interactors.empty() && scene.camera == nullptr) return;
   tell_interactors();
+}
+
+bool ViewRenderer::State::tell_splitters() {
+  const auto before = session.revision();
+  std::map<std::string, std::pair<lumen::Bounds, int>> known;
+  for (const auto* surfaces : {&scene.opaque, &scene.transparent})
+    for (const SceneSurface& surface : *surfaces)
+      for (const Instance* splitter : surface.splitters) {
+        const auto [entry, is_new] = known.try_emplace(splitter->id());
+        if (!is_new) continue;
+        entry->second = {bounds_cut_by(session, *splitter), splitter->generation()};
+        const auto told = told_splitters.find(splitter->id());
+        const lumen::Bounds& bounds = entry->second.first;
+        if (told != told_splitters.end() && told->second.second == splitter->generation() && told->second.first.min == bounds.min && told->second.first.max == bounds.max) continue;
+        splitter->as<lumen::Splitter>(Kind::splitter)->surfaces_changed(bounds);
+      }
+  told_splitters = std::move(known);
+  session.update();
+  return session.revision() != before;
 }
 
 void ViewRenderer::State::tell_interactors() {

@@ -99,4 +99,15 @@ ViewScene find_scene(const Session& session, const std::string& id, const std::s
   return scene;
 }
 
+lumen::Bounds bounds_cut_by(const Session& session, const Instance& splitter) {
+  lumen::Bounds bounds;
+  for (const std::unique_ptr<Instance>& instance : session.plugins()) {
+    const auto* renderer = instance->as<lumen::Renderer>(Kind::renderer);
+    const int slot = renderer == nullptr || !instance->enabled() ? -1 : instance->slot_of("splitter");
+    const auto* splitters = slot < 0 ? nullptr : std::get_if<lumen::References>(&instance->read(slot));
+    if (splitters != nullptr && std::find(splitters->ids.begin(), splitters->ids.end(), splitter.id()) != splitters->ids.end()) bounds.include(renderer->bounds());
+  }
+  return bounds;
+}
+
 }  // namespace lumenshop

@@ -50,6 +50,9 @@ struct ViewScene {
 /// no such view.
 ViewScene find_scene(const Session& session, const std::string& view, const std::string& substitute = {});
 
+/// World bounds of all surfaces of the session, unsplit, that the splitter cuts.
+lumen::Bounds bounds_cut_by(const Session& session, const Instance& splitter);
+
 /// Asks the splitters for the parts that the camera's picture has; the view's store keeps what their composition needs. What cannot be split stays whole and is a problem.
 void split_surfaces(ViewScene& scene, const lumen::Camera& camera, SplitStore& store);
 

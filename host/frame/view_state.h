@@ -48,6 +48,8 @@ struct ViewRenderer::State {
   lumen::Bounds told_bounds;        ///< what interactors know
   float told_aspect = 0;
   std::set<lumen::Plugin*> told;    ///< compared, never called
+  /// What splitters know: the bounds, and the generation of the object that was told.
+  std::map<std::string, std::pair<lumen::Bounds, int>> told_splitters;
 
   std::uint64_t drawn_session = 0, drawn_shaders = 0;  ///< revisions of the last draw
   bool stale = true;                ///< size or requests changed
@@ -63,6 +65,7 @@ struct ViewRenderer::State {
   bool unfinished() const { return stale || samples < samples_wanted() || progressive_unfinished(); }
   void find();
   void tell_interactors();
+  bool tell_splitters();            ///< true if that changed values
   PictureWindow whole() const;
   ViewGeometry geometry_of(const PictureWindow& window) const;
   FrameContext context(int set, const PictureWindow& window, const ViewGeometry& geometry, LayerStore& layers);

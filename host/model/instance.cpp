@@ -114,6 +114,13 @@ const Instance::Revisions& Instance::revisions() const {
   return revisions_;
 }
 
+std::shared_ptr<const void> Instance::take_lead() {
+  if (!lead_.expired()) return nullptr;
+  auto lead = std::make_shared<const char>();
+  lead_ = lead;
+  return lead;
+}
+
 std::uint64_t Instance::draw_revision() const { return revisions().draw; }
 std::uint64_t Instance::shading_revision() const { return revisions().shading; }
 

@@ -36,6 +36,8 @@ class Instance final : public lumen::Binding {
   template <class T> T* as(lumen::Kind kind) const { return plugin_ && plugin_->kind() == kind ? static_cast<T*>(plugin_.get()) : nullptr; }
   bool enabled() const;
   int generation() const { return generation_; }
+  /// For the first of the pictures that draw it, until it lets go of it; null for the others.
+  std::shared_ptr<const void> take_lead();
   int number() const { return number_; }         ///< 1.. in session order (layer id); views 0
 
   const std::vector<std::unique_ptr<Slot>>& slots() const { return table_->slots(); }  ///< retracted ones, too
@@ -92,6 +94,7 @@ class Instance final : public lumen::Binding {
   std::shared_ptr<PropertyTable> table_;
   std::shared_ptr<lumen::Plugin> plugin_;
   int generation_ = 0, number_ = 0;
+  std::weak_ptr<const void> lead_;
   bool was_enabled_ = true;                             ///< at the last update
   std::string failure_;                                 ///< why the object could not be made
   std::map<std::string, std::string> change_failures_;  ///< property -> what changed() threw

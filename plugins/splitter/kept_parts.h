@@ -1,4 +1,4 @@
-/// The connected parts of a surface that a splitter leaves alone, as a group of triangles of their own.
+/// The parts of a surface that a splitter leaves alone, as a group of triangles of their own.
 #pragma once
 
 #include <algorithm>
@@ -17,7 +17,7 @@ class KeptParts {
     if (mesh == nullptr || numbers.empty()) return nullptr;
     const auto found = std::find_if(known_.begin(), known_.end(), [&](const Known& known) { return known.mesh.lock() == mesh; });
     if (found != known_.end()) return found->groups;
-    std::vector<std::uint32_t> group = lumen::connected_parts(*mesh).of_triangle;
+    std::vector<std::uint32_t> group = lumen::parts_of(*mesh).of_triangle;
     for (std::uint32_t& number : group) number = std::find(numbers.begin(), numbers.end(), int(number)) != numbers.end() ? 1 : 0;
     known_.push_back({mesh, numbers, std::make_shared<const std::vector<std::uint32_t>>(std::move(group))});
     return known_.back().groups;

@@ -56,6 +56,11 @@ Grouping groups_by(const Mesh& mesh, const Attribute& attribute) {
   return grouping;
 }
 
+Grouping parts_of(const Mesh& mesh) {
+  const Attribute* attribute = mesh.attribute(part_array);
+  return attribute != nullptr ? groups_by(mesh, *attribute) : connected_parts(mesh);
+}
+
 std::int64_t triangle_of_cell(const Mesh& mesh, int cell) {
   if (cell < 0) return -1;
   if (mesh.triangle_cells.empty()) return std::size_t(cell) < mesh.triangles.size() ? cell : -1;

@@ -50,12 +50,15 @@ struct TracedSurface {
   glm::mat4 object_to_world{1};
   Split split = {};                    ///< by its splitters, filled in by the host
   bool transparent = false;            ///< filled in by the host
+  bool removes = false;                ///< shaders remove fragments, which rays meet all the same; filled in by the host
 };
 
 /// What Frame::draw_depth draws; use designated initializers.
 struct DepthDraw {
   bool farthest = false;   ///< the farthest surface of each pixel, not the nearest; then -inf where there is nothing
   bool closed = false;     ///< parts uncut and unmoved
+  float share = 1;         ///< the chance of each fragment to be drawn, 0..1: below 1, a sample of what lies behind one another
+  int sample = 0;          ///< which sample: each has chances of its own
   /// Which parts; default: all. Called with the renderer's id.
   std::function<bool(const std::string& renderer, const Part& part)> wanted = {};
 };
@@ -64,6 +67,8 @@ struct DepthDraw {
 class Frame {
  public:
   virtual ~Frame() = default;
+  /// Whether this view leads, of all that draw the instance: the one in which a value is found that serves them all.
+  virtual bool leads() const = 0;
   virtual glm::ivec2 size() const = 0;       ///< pixels of the layers, border included
   virtual int border() const = 0;            ///< pixels around the viewport
   virtual const Camera& camera() const = 0;
@@ -107,7 +112,8 @@ struct SurfacesPass {
 /// The transparent part of a frame: on top of Frame, it draws all transparent surfaces.
 ///
 /// Storage buffers 10 to 15 and image units 0 to 7 belong to the plugin, which binds them itself before a pass; what one
-/// pass stored there the next one sees.
+/// pass stored there the next one sees. Where no transparent surface is, nothing is drawn: passes cover the box of pixels
+/// around them alone, full-screen ones too, and targets of the layers' size are cleared there.
 class TransparencyFrame : public Frame {
  public:
   /// Draws every transparent surface once: each fragment in front of the opaque scene, in no order.

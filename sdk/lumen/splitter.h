@@ -40,6 +40,9 @@ class Splitter : public Plugin {
  public:
   using Plugin::Plugin;
   Kind kind() const override { return Kind::splitter; }
+  /// World bounds of all surfaces of the session that it cuts, as they are without it: the scale and the place for defaults.
+  /// Called before a frame when they have changed, or the plugin was reloaded.
+  virtual void surfaces_changed(const Bounds& bounds) { (void)bounds; }
   /// At least one part. Called for each surface before each frame that may differ: keep what is slow to find.
   virtual Split split(const SplitSurface& surface) = 0;
   /// Whether its shader has removed() and cut_normal().

@@ -124,6 +124,40 @@ TEST(PlaneSplitter, KeepsSelectedPartsWholeAndInPlace) {
   EXPECT_TRUE(std::isinf(depth.at(160, 20)));
 }
 
+TEST(PlaneSplitter, CutsThroughTheMiddleOfWhatItCutsUnlessSet) {
+  Scene scene({110, 110});
+  scene.add("splitter.plane", "cut", R"({"axis": [0, 1, 0], "angle": 90, "offset": 0.2})");
+  scene.surface("left", lumen::testing::moved(*lumen::testing::sphere(32, 0.5f), {40, 30, 20}), R"({"splitter": ["cut"]})");
+  scene.layer("depth");
+  const auto middle = [&] { return std::get<glm::vec3>(scene.value("cut.translation")); };
+  EXPECT_LT(glm::distance(middle(), glm::vec3(40, 30, 20)), 1e-3f);
+  scene.surface("right", lumen::testing::moved(*lumen::testing::sphere(32, 0.5f), {44, 30, 20}), R"({"splitter": ["cut"]})");
+  scene.layer("depth");
+  EXPECT_LT(glm::distance(middle(), glm::vec3(42, 30, 20)), 1e-3f) << "of both";
+  scene.set("cut.translation", "[41, 30, 20]");
+  scene.layer("depth");
+  EXPECT_EQ(middle(), glm::vec3(41, 30, 20));
+}
+
+TEST(PlaneSplitter, KeepsPartsThatAnArrayTellsApart) {
+  // One ball, whose array says that its upper half is another part.
+  Scene scene({220, 220});
+  const auto ball = std::make_shared<lumen::Mesh>(*lumen::testing::sphere(64));
+  lumen::Attribute part{.name = "part", .on = lumen::Attribute::On::cells, .components = 1};
+  std::vector<float> values;
+  for (const glm::uvec3& triangle : ball->triangles)
+    values.push_back(ball->positions[triangle.x].y + ball->positions[triangle.y].y + ball->positions[triangle.z].y > 0 ? 7.0f : 3.0f);
+  part.values = std::move(values);
+  ball->attributes.push_back(std::move(part));
+  ball->finish();
+  scene.add("splitter.plane", "cut", R"({"axis": [0, 1, 0], "angle": 90, "offset": 0.3, "interior": "none", "whole": [1]})");
+  scene.surface("ball", ball, R"({"splitter": ["cut"]})");
+  const Pixels depth = scene.layer("depth"), id = scene.layer("id");
+  EXPECT_FALSE(std::isinf(depth.at(110, 60))) << "whole";
+  EXPECT_EQ(id.at(110, 60, 1), 3);
+  EXPECT_TRUE(std::isinf(depth.at(110, 160))) << "the gap";
+}
+
 TEST(PlaneSplitter, SeveralPlanesCutEachOthersHalves) {
   Scene scene({220, 220});
   scene.add("splitter.plane", "across", R"({"axis": [0, 1, 0], "angle": 90, "offset": 0.1})");

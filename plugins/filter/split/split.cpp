@@ -61,7 +61,7 @@ struct Split : lumen::Filter {
   lumen::Property<glm::vec3> axis{this, "axis", glm::vec3(0, 1, 0), {.min = -1, .max = 1, .doc = "what the normal, +z, is turned about"}};
   lumen::Property<float> angle{this, "angle", 0.0f, {.min = -180, .max = 180, .unit = "degrees", .doc = "how far the normal is turned"}};
   lumen::Property<float> offset{this, "offset", 0.0f, {.min = 0, .unit = "world", .doc = "how far each half moves along the normal"}};
-  lumen::Property<std::vector<int>> whole{this, "whole", {}, {.min = 0, .doc = "numbers of connected parts that stay whole and in place"}};
+  lumen::Property<std::vector<int>> whole{this, "whole", {}, {.min = 0, .doc = "numbers of parts that stay whole and in place"}};
   lumen::Property<bool> capped{this, "capped", true, {.doc = "the halves are closed by their true faces"}};
   lumen::Property<bool> doubled{this, "doubled", false, {.doc = "caps have points of their own: normals are exact up to the cut, but halves are closed by place alone, not by number", .when = "capped"}};
 
@@ -102,12 +102,12 @@ struct Split : lumen::Filter {
   }
 
  private:
-  /// Of each triangle, whether its connected part is one of these; empty if none are given.
+  /// Of each triangle, whether its part is one of these; empty if none are given.
   static std::vector<bool> chosen(const lumen::Mesh& mesh, const std::vector<int>& parts) {
     std::vector<bool> chosen;
     if (parts.empty()) return chosen;
     chosen.reserve(mesh.triangles.size());
-    for (const std::uint32_t part : lumen::connected_parts(mesh).of_triangle) chosen.push_back(std::find(parts.begin(), parts.end(), int(part)) != parts.end());
+    for (const std::uint32_t part : lumen::parts_of(mesh).of_triangle) chosen.push_back(std::find(parts.begin(), parts.end(), int(part)) != parts.end());
     return chosen;
   }
 

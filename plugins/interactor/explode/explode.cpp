@@ -49,7 +49,7 @@ struct Explode : Interactor {
         return held_.has_value();
       case InputEvent::Type::release: return release();
       case InputEvent::Type::key: return key(event, view);
-      case InputEvent::Type::double_click: case InputEvent::Type::wheel: return false;
+      case InputEvent::Type::click: case InputEvent::Type::double_click: case InputEvent::Type::wheel: return false;
     }
     return false;
   }
@@ -108,7 +108,7 @@ struct Explode : Interactor {
     const Attribute* attribute = group_by->empty() ? nullptr : mesh->attribute(*group_by);
     groups_.clear();
     // The splitter itself says what is wrong with the array.
-    if (group_by->empty()) groups_ = connected_parts(*mesh).of_triangle;
+    if (group_by->empty()) groups_ = parts_of(*mesh).of_triangle;
     else if (attribute != nullptr) groups_ = lumen::groups_by(*mesh, *attribute).of_triangle;
     grouped_ = mesh;
     grouped_by_ = group_by;

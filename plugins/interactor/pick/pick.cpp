@@ -1,4 +1,4 @@
-/// A click on a surface tells what is there, and selects its connected part: link what shall act on the selection, such as the
+/// A click on a surface tells what is there, and selects its part: link what shall act on the selection, such as the
 /// `whole` of a splitter.plane, to it.
 
 #include <algorithm>
@@ -17,11 +17,11 @@ struct Pick : Interactor {
   using Interactor::Interactor;
 
   Property<References> surfaces{this, "surfaces", {}, {.doc = "which can be picked; none: all that are made of triangles", .accepts = "renderer", .affects = Affects::nothing}};
-  Property<std::vector<int>> selection{this, "selection", {}, {.min = 0, .doc = "numbers of the connected parts that are picked: a click picks one, with Shift or Ctrl adds or removes it, on the background empties this"}};
+  Property<std::vector<int>> selection{this, "selection", {}, {.min = 0, .doc = "numbers of the parts (by the array part, or connected) that are picked: a click picks one, with Shift or Ctrl adds or removes it, on the background empties this"}};
   Property<bool> show_values{this, "show_values", true, {.doc = "the window shows what was picked beside it", .affects = Affects::nothing}};
   Property<std::string> renderer{this, "renderer", {}, {.doc = "the surface of the last pick; empty: none", .group = "Last pick", .affects = Affects::nothing}};
   Property<int> part{this, "part", -1, {.min = -1, .doc = "of its split; -1: none", .group = "Last pick", .affects = Affects::nothing}};
-  Property<int> component{this, "component", -1, {.min = -1, .doc = "number of its connected part, of the mesh as it is without splitters; of a cap the innermost that it closes; -1: none", .group = "Last pick", .affects = Affects::nothing}};
+  Property<int> component{this, "component", -1, {.min = -1, .doc = "number of its part, of the mesh as it is without splitters; of a cap the innermost that it closes; -1: none", .group = "Last pick", .affects = Affects::nothing}};
   Property<int> cell{this, "cell", -1, {.min = -1, .doc = "of the mesh; -1: none, or a cap", .group = "Last pick", .affects = Affects::nothing}};
   Property<glm::vec3> position{this, "position", glm::vec3(0), {.unit = "world", .doc = "where it was seen", .group = "Last pick", .affects = Affects::nothing}};
   Property<std::vector<std::string>> values{this, "values", {}, {.doc = "name = value of each array there; arrays of points are interpolated over the triangle", .group = "Last pick", .affects = Affects::nothing}};
@@ -82,7 +82,7 @@ struct Pick : Interactor {
   int component_of(const Picked& picked, glm::vec3 place) {
     if (picked.mesh == nullptr || picked.mesh->triangles.empty()) return -1;
     if (grouped_.lock() != picked.mesh) {
-      parts_ = connected_parts(*picked.mesh);
+      parts_ = parts_of(*picked.mesh);
       grouped_ = picked.mesh;
     }
     if (picked.cell < 0) return pick::part_around(*picked.mesh, parts_, place);
@@ -96,4 +96,4 @@ struct Pick : Interactor {
 
 }  // namespace
 
-LUMEN_PLUGIN(Pick, "interactor.pick", "A click on a surface tells what is there and selects its connected part.")
+LUMEN_PLUGIN(Pick, "interactor.pick", "A click on a surface tells what is there and selects its part.")

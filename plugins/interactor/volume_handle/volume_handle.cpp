@@ -75,7 +75,7 @@ struct VolumeHandle : Interactor {
         if (held_) set(cut_volume::dragged(start_, *held_, seen.ray(start_pointer_), seen.ray(pointer), seen.camera));
         return held_.has_value();
       case InputEvent::Type::release: return std::exchange(held_, std::nullopt).has_value();
-      case InputEvent::Type::wheel: case InputEvent::Type::double_click: case InputEvent::Type::key: return false;
+      case InputEvent::Type::wheel: case InputEvent::Type::click: case InputEvent::Type::double_click: case InputEvent::Type::key: return false;
     }
     return false;
   }

@@ -4,6 +4,7 @@
 
 #include <cmath>
 
+#include <lumen/mesh.h>
 #include <lumen/occlusion.h>
 
 #include "ray_scene.h"
@@ -66,6 +67,8 @@ struct Traced : lumen::Occlusion {
   void update_scene(const lumen::Frame& frame) {
     std::vector<lumen::TracedSurface> surfaces = frame.traced_surfaces();
     if (!transparent_surfaces) std::erase_if(surfaces, [](const lumen::TracedSurface& surface) { return surface.transparent; });
+    for (const lumen::TracedSurface& surface : surfaces)
+      if (surface.removes) report(lumen::Severity::note, "rays meet what a splitter's shader removes from '" + surface.mesh->origin + "', too");
     if (scene_ != nullptr && scene_->shows(surfaces)) return;
     scene_.reset();  // the old memory goes first
     scene_ = std::make_unique<RayScene>(std::move(surfaces));

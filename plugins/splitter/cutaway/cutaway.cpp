@@ -17,7 +17,7 @@ struct Cutaway : lumen::Splitter {
   explicit Cutaway(lumen::Binding& binding) : Splitter(binding) { changed(keep.id()); }
 
   lumen::Property<lumen::References> interest{this, "interest", {}, {.doc = "opaque surfaces that nothing cut by this may hide; not themselves cut by it", .accepts = "renderer"}};
-  lumen::Property<std::vector<int>> parts{this, "parts", {}, {.min = 0, .doc = "numbers of connected parts of the cut surfaces that are of interest, too, and stay whole"}};
+  lumen::Property<std::vector<int>> parts{this, "parts", {}, {.min = 0, .doc = "numbers of parts of the cut surfaces that are of interest, too, and stay whole"}};
   lumen::Property<float> slope{this, "slope", 40.0f, {.min = 0, .max = 85, .unit = "degrees", .doc = "between the line of sight and the hole's wall; 0 drills straight"}};
   lumen::Property<float> margin{this, "margin", 0.0f, {.min = 0, .max = 1, .unit = "scene radii", .doc = "room between the silhouettes of interest and the hole"}};
   lumen::Property<lumen::Choice> keep{this, "keep", {"rest"}, {.doc = "what stays of the surface: the rest, or what is cut out of it, to be drawn as a ghost", .choices = {"rest", "removed"}}};

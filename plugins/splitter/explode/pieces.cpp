@@ -8,9 +8,9 @@
 namespace {
 
 lumen::Grouping grouping_of(const lumen::Mesh& mesh, const std::string& array) {
-  if (array.empty()) return lumen::connected_parts(mesh);
+  if (array.empty()) return lumen::parts_of(mesh);
   const lumen::Attribute* attribute = mesh.attribute(array);
-  if (attribute == nullptr) throw lumen::Error("array '" + array + "'", "'" + mesh.origin + "' has no such array", "leave group_by empty for connected parts");
+  if (attribute == nullptr) throw lumen::Error("array '" + array + "'", "'" + mesh.origin + "' has no such array", "leave group_by empty for the mesh's own parts");
   return lumen::groups_by(mesh, *attribute);
 }
 

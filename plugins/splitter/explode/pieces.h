@@ -14,7 +14,7 @@ using Corners = std::array<glm::vec3, 3>;
 
 /// One part. World units.
 struct Piece {
-  int number = 0;                 ///< of the part, as picking and connected_parts count
+  int number = 0;                 ///< of the part, as picking and parts_of count
   std::vector<Corners> triangles;
   lumen::Bounds bounds;
   glm::vec3 center{0};            ///< of its area
@@ -25,7 +25,7 @@ struct Piece {
 struct PiecesAsked {
   std::weak_ptr<const lumen::Mesh> mesh;
   glm::mat4 object_to_world{1};
-  std::string group_by;           ///< name of an array; empty: connected parts
+  std::string group_by;           ///< name of an array; empty: the mesh's own parts
   bool same(const PiecesAsked& other) const;
 };
 

@@ -16,16 +16,18 @@ namespace {
 struct Plane : lumen::Splitter {
   using Splitter::Splitter;
 
-  lumen::Property<glm::vec3> translation{this, "translation", glm::vec3(0), {.unit = "world", .doc = "a point of the plane"}};
+  lumen::Property<glm::vec3> translation{this, "translation", glm::vec3(0), {.unit = "world", .doc = "a point of the plane; unless set, the middle of what it cuts"}};
   lumen::Property<glm::vec3> axis{this, "axis", glm::vec3(0, 1, 0), {.min = -1, .max = 1, .doc = "what the normal, +z, is turned about"}};
   lumen::Property<float> angle{this, "angle", 0.0f, {.min = -180, .max = 180, .unit = "degrees", .doc = "how far the normal is turned"}};
   lumen::Property<float> offset{this, "offset", 0.0f, {.min = 0, .unit = "world", .doc = "how far each half moves along the normal"}};
-  lumen::Property<std::vector<int>> whole{this, "whole", {}, {.min = 0, .doc = "numbers of connected parts that stay whole and in place"}};
+  lumen::Property<std::vector<int>> whole{this, "whole", {}, {.min = 0, .doc = "numbers of parts that stay whole and in place"}};
   lumen::Property<bool> open_when_hidden{this, "open_when_hidden", false, {.doc = "the halves open by themselves while they would hide most of what stays whole", .group = "Opening", .when = "whole"}};
   lumen::Property<float> hidden_share{this, "hidden_share", 0.5f, {.min = 0.01, .max = 1, .doc = "how much of it must be hidden for that", .group = "Opening", .when = "open_when_hidden"}};
   lumen::Property<float> opening{this, "opening", 1.0f, {.min = 0, .max = 1, .doc = "share of the offset that is taken; moves by itself unless set", .group = "Opening"}};
   lumen::Property<int> many_triangles{this, "many_triangles", 500000, {.min = 1, .unit = "triangles", .doc = "a resting cut of a mesh with at least so many is proposed to be made once, by filter.split", .group = "Proposal", .logarithmic = true, .advanced = true, .affects = lumen::Affects::nothing}};
   lumen::Interior interior{this};
+
+  void surfaces_changed(const lumen::Bounds& bounds) override { translation.set_default(bounds.center()); }
 
   lumen::Split split(const lumen::SplitSurface& surface) override {
     const glm::vec3 normal = this->normal(), move = offset.get() * opening.get() * normal;
@@ -46,8 +48,9 @@ struct Plane : lumen::Splitter {
     return split;
   }
 
-  /// Opens while what stays whole would be hidden, and closes after, some way with each frame.
+  /// Opens while what stays whole would be hidden from the leading view, and closes after, some way with each frame.
   void prepare(lumen::Frame& frame) override {
+    if (!frame.leads()) return;
     if (!open_when_hidden || whole->empty()) return opening.set_default(1);
     const float wanted = hides(frame) ? 1.0f : 0.0f, now = opening, next = now + std::clamp(wanted - now, -stride, stride);
     if (next == now) return;

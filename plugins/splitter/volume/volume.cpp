@@ -33,9 +33,9 @@ struct Volume : lumen::Splitter {
   lumen::Property<glm::vec3> size{this, "size", glm::vec3(0), {.min = 0, .max = 1e12, .unit = "world", .doc = "edges of the box along its own axes; unless set, from the scene's size", .when = "shape = box"}};
   lumen::Property<float> length{this, "length", 0.0f, {.min = 0, .max = 1e12, .unit = "world", .doc = "of wedge and tube, centered; unless set, from the scene's size"}};
   lumen::Property<float> angle{this, "angle", 90.0f, {.min = 0, .max = 180, .unit = "degrees", .doc = "of the wedge's edge", .when = "shape = wedge"}};
-  lumen::Property<std::vector<int>> whole{this, "whole", {}, {.min = 0, .doc = "numbers of connected parts that stay whole"}};
+  lumen::Property<std::vector<int>> whole{this, "whole", {}, {.min = 0, .doc = "numbers of parts that stay whole"}};
   lumen::Property<lumen::Choice> keep{this, "keep", {"rest"}, {.doc = "what stays of the surface: the rest, or what is cut out of it", .choices = {"rest", "removed"}}};
-  lumen::Property<lumen::Choice> place{this, "place", {"by_hand"}, {.doc = "where the volume is: as set, or what of its center and lengths is not set follows the camera so that it shows what is of interest and cuts little", .group = "Placement", .choices = {"by_hand", "by_interest"}}};
+  lumen::Property<lumen::Choice> place{this, "place", {"by_hand"}, {.doc = "where the volume is: as set, or what of its center and lengths is not set follows the camera of the view that leads so that it shows what is of interest and cuts little", .group = "Placement", .choices = {"by_hand", "by_interest"}}};
   lumen::Property<lumen::References> interest{this, "interest", {}, {.doc = "opaque surfaces to be seen, beside the parts that stay whole", .group = "Placement", .when = "place = by_interest", .accepts = "renderer"}};
   lumen::Property<float> alpha{this, "alpha", 1.0f, {.min = 0, .max = 100, .doc = "worth of what is of interest and in sight", .group = "Placement", .when = "place = by_interest"}};
   lumen::Property<float> beta{this, "beta", 0.25f, {.min = 0, .max = 100, .doc = "price of a volume as large as the scene's sphere", .group = "Placement", .when = "place = by_interest"}};
@@ -55,7 +55,7 @@ struct Volume : lumen::Splitter {
 
   void prepare(lumen::Frame& frame) override {
     fit(shown(frame));
-    if (place.get() == "by_interest") place_in(frame);
+    if (place.get() == "by_interest" && frame.leads()) place_in(frame);
   }
 
  private:
