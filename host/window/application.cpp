@@ -170,6 +170,7 @@ Application::BottomPanel& Application::bottom_panel() {
 }
 
 void Application::draw_bottom(const Rectangle& place) {
+  if (std::exchange(focus_bottom_, false)) ImGui::SetNextWindowFocus();
   const PanelWindow window(settings_.bottom_panel.c_str(), place);
   lumen::ui::Look& look = gui_.look();
   const auto tab = [&](const std::string& name, bool shown, const std::string& title) {

@@ -106,6 +106,7 @@ class Application {
   Outline outline_;
   EditorPanel properties_;
   std::vector<BottomPanel> bottom_panels_;
+  bool focus_bottom_ = false;              ///< a key opened it: it takes the keyboard
   FileBrowser browser_;
   Question question_;
   AddPopup add_popup_;

@@ -93,6 +93,7 @@ Command Application::bottom_command(const std::string& panel) {
   return {.id = "panel." + panel, .menu = "Window", .title = title, .keys = keys, .run = [this, panel, shown] {
     settings_.panels.bottom_open = !shown();
     settings_.bottom_panel = panel;
+    focus_bottom_ = settings_.panels.bottom_open;
     // Lines of text do with less than pictures and tables.
     if (panel != "problems") settings_.panels.bottom = std::max(settings_.panels.bottom, PanelSizes::bottom_roomy);
     save_settings();

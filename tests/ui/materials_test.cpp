@@ -1,17 +1,10 @@
 // The material gallery in the real window under Xvfb: double clicks, drags, undo.
 #include <array>
-#include <cstdio>
-#include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <string>
 
-#include <sys/wait.h>
-#include <unistd.h>
-
-#include <gtest/gtest.h>
-
-#include "installation.h"
+#include "window_test_case.h"
 
 namespace {
 
@@ -26,32 +19,9 @@ constexpr const char* session_text = R"({ "lumenshop": 1,
   "layout": [["main"]] }
 )";
 
-struct MaterialWindow : testing::Test {
-  std::filesystem::path folder = std::filesystem::temp_directory_path() / ("lumenshop-materials-" + std::to_string(getpid()));
-  const std::filesystem::path program = lumenshop::Installation::find().root / "bin/lumenshop";
-
-  void SetUp() override {
-    if (std::system("command -v xvfb-run >/dev/null 2>&1") != 0) GTEST_SKIP() << "xvfb-run is not installed";
-    if (!std::filesystem::exists(program)) GTEST_SKIP() << program << " is not built";
-    std::filesystem::create_directories(folder);
-    std::ofstream(folder / "session.json") << session_text;
-  }
-  void TearDown() override { std::filesystem::remove_all(folder); }
-
-  /// Plays the steps with the gallery open; the script's failures are a failure.
-  void play(const std::string& steps) const {
-    std::ofstream(folder / "script.json") << R"json([{"settle": true}, {"command": "panel.materials"}, {"idle": 0.5}, )json" + steps + "]";
-    const std::string place = "'" + folder.string() + "'";
-    const std::string command = "cd " + place + " && XDG_DATA_HOME=" + place + " XDG_CONFIG_HOME=" + place + " MESA_SHADER_CACHE_DIR=" + place +
-                                " timeout 240 xvfb-run -a -s '-screen 0 1280x800x24' '" + program.string() + "' --size 1200x760 --script script.json session.json 2>&1";
-    std::string output;
-    FILE* pipe = popen(command.c_str(), "r");
-    ASSERT_NE(pipe, nullptr);
-    std::array<char, 4096> buffer;
-    while (const auto count = std::fread(buffer.data(), 1, buffer.size(), pipe)) output.append(buffer.data(), count);
-    const int status = pclose(pipe);
-    EXPECT_TRUE(WIFEXITED(status) && WEXITSTATUS(status) == 0) << output;
-  }
+struct MaterialWindow : lumenshop::testing::WindowTestCase {
+  MaterialWindow() : WindowTestCase(session_text) {}
+  void play(const std::string& steps) const { play_in_panel("materials", steps); }
   /// The mean color of a picture of the window.
   std::array<double, 3> mean(const std::string& shot) const {
     std::ifstream stream(folder / shot, std::ios::binary);
@@ -80,6 +50,14 @@ TEST_F(MaterialWindow, ADoubleClickGivesTheSelectedSurfaceALookThatUndoTakesBack
   const auto before = mean("before.ppm"), jade = mean("jade.ppm"), after = mean("after.ppm");
   EXPECT_GT(jade[1] - jade[0], before[1] - before[0] + 5) << "jade is green";
   for (std::size_t c = 0; c < 3; ++c) EXPECT_NEAR(before[c], after[c], 0.5);
+}
+
+TEST_F(MaterialWindow, ArrowKeysAndEnterDoWhatADoubleClickDoes) {
+  play(R"json({"select": "wall"}, {"idle": 0.3}, {"move": "menu/File"}, {"key": "Right"}, {"idle": 0.1}, {"expect_place": "materials/cursor:front:clay"},
+    {"key": "Right"}, {"key": "Right"}, {"key": "Left"}, {"idle": 0.1}, {"expect_place": "materials/cursor:front:skin"},
+    {"key": "Enter"}, {"settle": true}, {"idle": 0.3}, {"expect": "wall.diffuse", "value": "lit_sphere2"}, {"expect": "lit_sphere.material", "value": "skin"},
+    {"key": "Ctrl+Z"}, {"settle": true}, {"idle": 0.2}, {"expect": "wall.diffuse", "value": "lambert"},
+    {"key": "Down"}, {"key": "Enter"}, {"settle": true}, {"idle": 0.3}, {"expect": "wall.diffuse", "value": "lit_sphere2"}, {"expect_place": "materials/cursor:front:skin", "there": false}, {"shot": "keys.ppm"})json");
 }
 
 TEST_F(MaterialWindow, TheSameMaterialComesFromOneImporterAndTermsAreNotShared) {

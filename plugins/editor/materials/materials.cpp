@@ -11,6 +11,7 @@
 #include <lumen/ui/look.h>
 
 #include "assignment.h"
+#include "grid_cursor.h"
 #include "thumbnails.h"
 
 namespace {
@@ -34,7 +35,13 @@ struct Materials : Editor {
     look_into_folder(workbench);
     draw_buttons(workbench, surface);
     ImGui::BeginChild("rows");
+    cursor_.begin_frame();
+    keyboard_ = ImGui::IsWindowFocused(ImGuiFocusedFlags_RootAndChildWindows) && !ImGui::GetIO().WantTextInput;
     for (const Role role : {Role::front, Role::back, Role::highlight}) draw_row(workbench, role, surface);
+    if (keyboard_ && cursor_.take_keys()) {
+      scroll_to_cursor_ = true;
+      ui::wake_in(0);
+    }
     ImGui::EndChild();
     if (dragged_ && !ImGui::IsMouseDown(0)) dragged_.reset();
     if (dragged_) draw_dragged(workbench, look);
@@ -123,8 +130,13 @@ struct Materials : Editor {
     const float width = look(float(size.get())), height = width + ImGui::GetTextLineHeight();
     const ImVec2 corner = ImGui::GetCursorScreenPos();
     ImGui::InvisibleButton(material.json().c_str(), {width, height});
+    const std::string name = std::string(name_of(role)) + ":" + material.name;
+    cursor_.add(name, corner);
+    if (ImGui::IsItemActivated()) cursor_.put(name);
+    const bool at_cursor = keyboard_ && cursor_.is_at(name);
+    if (at_cursor && std::exchange(scroll_to_cursor_, false)) ImGui::SetScrollHereY();
     if (!ImGui::IsItemVisible()) return;
-    ui::record(std::string(name_of(role)) + ":" + material.name);
+    ui::record(name);
     const bool hovered = ImGui::IsItemHovered(), chosen = !current.empty() && makes(workbench, current, material);
     const Thumbnails::Entry& thumbnail = thumbnails_.of(workbench, material);
 
@@ -136,13 +148,19 @@ struct Materials : Editor {
     if (chosen) ui::draw_icon(list, ui::Icon::check, {corner.x + width - look(14), corner.y}, look(14), look.colors.text);
     ui::text_elided(list, {corner.x, corner.y + width}, width, material.name, chosen ? look.colors.text : look.colors.label);
 
-    if (hovered && ImGui::IsMouseDoubleClicked(0)) attempt([&] { assign(workbench, surface, role, material); });
+    if (at_cursor) {
+      list->AddRect(low, high, look.colors.focus, look(3), 0, look(1.5f));
+      ui::record("cursor:" + name);
+    }
+    const auto entered = [](ImGuiKey key) { return ImGui::IsKeyPressed(ImGui::GetKeyIndex(key), false); };
+    const bool applied = at_cursor && (entered(ImGuiKey_Enter) || entered(ImGuiKey_KeyPadEnter));
+    if (applied || (hovered && ImGui::IsMouseDoubleClicked(0))) attempt([&] { assign(workbench, surface, role, material); });
     if (ImGui::IsItemActive() && ImGui::IsMouseDragging(0)) dragged_ = {role, material};
     if (ImGui::IsItemDeactivated() && dragged_) drop(workbench, *std::exchange(dragged_, std::nullopt));
     if (ui::begin_tooltip()) {
       ui::text(material.name, look.colors.text);
       if (!thumbnail.failure.empty()) ui::text(thumbnail.failure, look.colors.error);
-      ui::text(surface.empty() ? "drag: onto a surface in the picture" : "double click: onto " + surface + "; drag: onto a surface in the picture", look.colors.dim);
+      ui::text(surface.empty() ? "drag: onto a surface in the picture" : "double click, or arrow keys and Enter: onto " + surface + "; drag: onto a surface in the picture", look.colors.dim);
       ui::end_tooltip();
     }
   }
@@ -179,6 +197,9 @@ struct Materials : Editor {
   double next_look_ = 0;                ///< ImGui time
   Thumbnails thumbnails_;
   std::optional<Dragged> dragged_;
+  GridCursor cursor_;
+  bool keyboard_ = false;               ///< the rows have it
+  bool scroll_to_cursor_ = false;
 };
 
 }  // namespace

@@ -40,8 +40,8 @@ struct SplitCosts : Editor {
       measurement_.reset();
       ui::look().notice = error.what();
     }
-    if (!ImGui::BeginTable("cuts", 8, ImGuiTableFlags_RowBg | ImGuiTableFlags_SizingStretchProp)) return;
-    for (const char* heading : {"surface", "plane", "triangles", "cut in each frame", "not cut", "cut once", "memory", ""}) ImGui::TableSetupColumn(heading);
+    if (!ImGui::BeginTable("cuts", 8, ImGuiTableFlags_RowBg | ImGuiTableFlags_SizingFixedFit | ImGuiTableFlags_ScrollX)) return;
+    for (const char* heading : {"surface", "plane", "triangles", "each frame", "not cut", "once", "memory", ""}) ImGui::TableSetupColumn(heading);
     ImGui::TableHeadersRow();
     for (const CutSurface& cut : cuts) draw_row(workbench, cut);
     ImGui::EndTable();
