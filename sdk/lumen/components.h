@@ -22,8 +22,8 @@ Grouping connected_parts(const Mesh& mesh);
 Grouping groups_by(const Mesh& mesh, const Attribute& attribute);
 
 /// The array that says which part each triangle belongs to, where connection does not tell.
-inline constexpr const char* part_array = "part";
-/// The parts that people pick and that splitters keep or move: by the array `part` if the mesh has one, else connected ones.
+inline constexpr const char* part_array = "component";
+/// The parts that people pick and that splitters keep or move: by the array `component` if the mesh has one, else connected ones.
 /// Throws as groups_by.
 Grouping parts_of(const Mesh& mesh);
 

@@ -4,6 +4,7 @@
 #include <set>
 
 #include <gtest/gtest.h>
+#include <lumen/components.h>
 #include <lumen/testing.h>
 
 namespace {
@@ -143,7 +144,7 @@ TEST(PlaneSplitter, KeepsPartsThatAnArrayTellsApart) {
   // One ball, whose array says that its upper half is another part.
   Scene scene({220, 220});
   const auto ball = std::make_shared<lumen::Mesh>(*lumen::testing::sphere(64));
-  lumen::Attribute part{.name = "part", .on = lumen::Attribute::On::cells, .components = 1};
+  lumen::Attribute part{.name = lumen::part_array, .on = lumen::Attribute::On::cells, .components = 1};
   std::vector<float> values;
   for (const glm::uvec3& triangle : ball->triangles)
     values.push_back(ball->positions[triangle.x].y + ball->positions[triangle.y].y + ball->positions[triangle.z].y > 0 ? 7.0f : 3.0f);

@@ -17,7 +17,7 @@ struct Pick : Interactor {
   using Interactor::Interactor;
 
   Property<References> surfaces{this, "surfaces", {}, {.doc = "which can be picked; none: all that are made of triangles", .accepts = "renderer", .affects = Affects::nothing}};
-  Property<std::vector<int>> selection{this, "selection", {}, {.min = 0, .doc = "numbers of the parts (by the array part, or connected) that are picked: a click picks one, with Shift or Ctrl adds or removes it, on the background empties this"}};
+  Property<std::vector<int>> selection{this, "selection", {}, {.min = 0, .doc = "numbers of the parts (by the array component, or connected) that are picked: a click picks one, with Shift or Ctrl adds or removes it, on the background empties this"}};
   Property<bool> show_values{this, "show_values", true, {.doc = "the window shows what was picked beside it", .affects = Affects::nothing}};
   Property<std::string> renderer{this, "renderer", {}, {.doc = "the surface of the last pick; empty: none", .group = "Last pick", .affects = Affects::nothing}};
   Property<int> part{this, "part", -1, {.min = -1, .doc = "of its split; -1: none", .group = "Last pick", .affects = Affects::nothing}};

@@ -19,7 +19,7 @@ struct Explode : lumen::Splitter {
 
   lumen::Property<lumen::Choice> layout{this, "layout", {"forces"}, {.doc = "what moves the parts: forces around the selection, or a graph of what blocks what, by which none moves through another", .choices = {"forces", "graph"}}};
   lumen::Property<float> degree{this, "degree", 0.5f, {.min = 0, .max = 1, .doc = "how far the parts are apart; 0 leaves the surface as it is"}};
-  lumen::Property<std::string> group_by{this, "group_by", {}, {.doc = "the array whose values make the parts; empty: those of the array part, or connected ones"}};
+  lumen::Property<std::string> group_by{this, "group_by", {}, {.doc = "the array whose values make the parts; empty: those of the array component, or connected ones"}};
   lumen::Property<std::vector<int>> selection{this, "selection", {}, {.min = 0, .doc = "numbers of parts that stay in place, and that the others leave"}};
   lumen::Property<std::vector<int>> exposed{this, "exposed", {}, {.min = 0, .doc = "numbers of parts that alone come out, with what is in their way; empty: all do"}};
   lumen::Property<float> spacing{this, "spacing", 0.08f, {.min = 0, .max = 10, .unit = "radii", .doc = "between parts that were in contact, of the surface's radius", .group = "Graph", .when = "layout = graph"}};
