@@ -47,7 +47,7 @@ void run_lighting_pass(const FrameContext& context, LightingOutput output) {
     key.add(signature)
         .add(context.geometry_key)
         .add(context.light_key)
-        .add(context.shading.value_revision())
+        .add(context.shading.opaque_revision())
         .add(visibility.layer.empty() ? 0 : context.centers.revision(visibility.layer))
         .add(context.shaders.revision("host/lighting.glsl"));
   context.log.run("lighting", context.set, key.value(), [&] {

@@ -95,9 +95,13 @@ void Shading::update(const Session& session, const std::vector<LitSurface>& surf
   styles_.clear();
   variant_of_.clear();
   interiors_.clear();
-  Hash hash;
+  Hash all, opaque;
+  const auto add = [&](const LitSurface& surface, const Hash& hash) {
+    all.add(hash.value());
+    if (!surface.transparent) opaque.add(hash.value());
+  };
   std::vector<StyleRow> rows(1);
-  const auto row_of = [&](const SurfaceStyle& style, const Instance& renderer, int variant) {
+  const auto row_of = [&](const SurfaceStyle& style, const Instance& renderer, int variant, Hash& hash) {
     StyleRow row;
     for (std::size_t i = 0; i < style.terms.size(); ++i) {
       const Instance* term = style.terms[i];
@@ -110,12 +114,13 @@ void Shading::update(const Session& session, const std::vector<LitSurface>& surf
   for (const LitSurface& surface : surfaces) {
     const Instance& renderer = *surface.renderer;
     const SurfaceStyle style = styles_[&renderer] = style_of(session, renderer);
-    StyleRow row = row_of(style, renderer, variant_of_[&renderer] = variant_index(style));
+    Hash hash;
+    StyleRow row = row_of(style, renderer, variant_of_[&renderer] = variant_index(style), hash);
     take_material(renderer, row);
     const auto number = std::size_t(renderer.number());
     if (rows.size() <= number) rows.resize(number + 1);
     rows[number] = row;
-    hash.add(number).add(renderer.shading_revision());
+    add(surface, hash.add(number).add(renderer.shading_revision()));
   }
   // The insides follow after all instances.
   for (const LitSurface& surface : surfaces) {
@@ -123,13 +128,15 @@ void Shading::update(const Session& session, const std::vector<LitSurface>& surf
     const Instance &renderer = *surface.renderer, &splitter = *surface.interior;
     const SurfaceStyle style = interior_style_of(session, splitter, styles_.at(&renderer));
     const int variant = variant_index(style);
-    StyleRow row = row_of(style, renderer, variant);
+    Hash hash;
+    StyleRow row = row_of(style, renderer, variant, hash);
     take_interior_material(splitter, row);
     interiors_[&renderer] = {int(rows.size()), variant};
     rows.push_back(row);
-    hash.add(splitter.number()).add(splitter.draw_revision()).add(splitter.shading_revision());
+    add(surface, hash.add(splitter.number()).add(splitter.draw_revision()).add(splitter.shading_revision()));
   }
-  value_revision_ = hash.value();
+  value_revision_ = all.value();
+  opaque_revision_ = opaque.value();
   table_.write(std::as_bytes(std::span(rows)));
 }
 

@@ -30,6 +30,7 @@ SurfaceStyle style_of(const Session& session, const Instance& renderer);
 struct LitSurface {
   Instance* renderer;
   Instance* interior = nullptr;          ///< the splitter that says how its inside looks; null: as its outside
+  bool transparent = false;
 };
 
 class Shading {
@@ -43,8 +44,9 @@ class Shading {
 
   /// Changes when the generated text would: styles, constants, files.
   std::uint64_t signature(ShaderLibrary& library) const;
-  /// Grows with the values that the styles' terms and materials have.
+  /// Differs whenever values differ that the styles' terms and materials have: of all surfaces, or of the opaque ones.
   std::uint64_t value_revision() const { return value_revision_; }
+  std::uint64_t opaque_revision() const { return opaque_revision_; }
   const SurfaceStyle& style(const Instance& renderer) const;
   /// The row of the style of its inside; 0: it has none of its own.
   int interior_row(const Instance& renderer) const;
@@ -80,7 +82,7 @@ class Shading {
   std::map<const Instance*, SurfaceStyle> styles_;
   std::map<const Instance*, int> variant_of_;
   std::map<const Instance*, Interior> interiors_;  ///< by renderer
-  std::uint64_t value_revision_ = 0;
+  std::uint64_t value_revision_ = 0, opaque_revision_ = 0;
   lumen::gl::Buffer table_;
 };
 

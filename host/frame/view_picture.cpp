@@ -219,7 +219,7 @@ void ViewRenderer::State::draw_mean_alone() {
 std::uint64_t ViewRenderer::State::opaque_key() {
   const FrameContext frame = context(0, whole(), geometry, centers);
   Hash hash;
-  hash.add(surfaces_key(frame, scene.opaque)).add(frame.light_key).add(shading.signature(shaders)).add(shading.value_revision());
+  hash.add(surfaces_key(frame, scene.opaque)).add(frame.light_key).add(shading.signature(shaders)).add(shading.opaque_revision());
   hash.add(samples_wanted()).add(shaders.revision("host/lighting.glsl"));
   if (scene.occlusion != nullptr) {
     const PluginPassMemory& memory = memories[scene.occlusion->id()];

@@ -57,7 +57,7 @@ class Finder {
 std::vector<LitSurface> ViewScene::lit_surfaces() const {
   std::vector<LitSurface> all;
   for (const auto* list : {&opaque, &transparent})
-    for (const SceneSurface& surface : *list) all.push_back({surface.instance, surface.interior});
+    for (const SceneSurface& surface : *list) all.push_back({surface.instance, surface.interior, list == &transparent});
   return all;
 }
 

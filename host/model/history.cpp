@@ -14,8 +14,9 @@ constexpr auto one_gesture = std::chrono::milliseconds(700);
 std::string short_text(const Json& json) {
   if (json.is_null()) return "default";
   if (json.is_object() && json.contains("link") && json["link"].is_string()) return "link to " + json["link"].get<std::string>();
-  const std::string text = json.dump(-1, ' ', false, Json::error_handler_t::replace);
-  return text.size() > 40 ? text.substr(0, 37) + "..." : text;
+  std::string text = json.dump(-1, ' ', false, Json::error_handler_t::replace);
+  if (text.size() > 40) text.replace(37, std::string::npos, "...");
+  return text;
 }
 
 std::string title_of(const Change& change) {

@@ -1,4 +1,5 @@
-/// Storage of shaders/lib/fragment_lists.glsl: grows with what the frames need, up to a bound.
+/// Transparencies that gather the fragments of a pixel in a list, and what holds them: storage of shaders/lib/fragment_lists.glsl that
+/// grows with what the frames need, up to a bound.
 #pragma once
 
 #include <algorithm>
@@ -68,4 +69,25 @@ class FragmentLists {
 
   lumen::gl::Buffer heads_, links_, colors_;
   std::uint64_t capacity_ = 0;
+};
+
+/// Its shader has store() and resolve(), which puts a pixel's list together.
+class ListedTransparency : public lumen::Transparency {
+ public:
+  ListedTransparency(lumen::Binding& binding, const char* shader) : Transparency(binding), shader_(shader) {}
+
+  lumen::Property<float> memory{this, "memory", 128.0f, {.min = 1, .max = FragmentLists::most_megabytes, .unit = "MB", .doc = "what the fragments may take, 20 bytes each; those that find no room are counted and missing", .group = "Storage", .logarithmic = true}};
+
+  lumen::Writes transparent{this, "transparent", lumen::Format::RGBA32F};
+
+  void render(lumen::TransparencyFrame& frame) override {
+    lists_.gather(frame, shader_, double(memory), *this);
+    frame.fullscreen(shader_, {.function = "resolve"});
+  }
+  void released() override { lists_.release(); }
+  std::size_t bytes() const override { return lists_.bytes(); }
+
+ private:
+  const char* shader_;
+  FragmentLists lists_;
 };

@@ -130,8 +130,8 @@ TEST(CastShadows, ASpheresLitSideIsLitAndItsOtherSideDark) {
     for (int y = 0; y < 128; ++y)
       for (int x = 0; x < 128; ++x) {
         if (normal.rgb(x, y) == glm::vec3(0)) continue;
-        if (normal.at(x, y) > 0.22f) EXPECT_EQ(picture.at(x, y), 1) << kind << x << " " << y;
-        if (normal.at(x, y) < -0.06f) EXPECT_EQ(picture.at(x, y), 0) << kind << x << " " << y;
+        if (normal.at(x, y) > 0.22f) { EXPECT_EQ(picture.at(x, y), 1) << kind << x << " " << y; }
+        if (normal.at(x, y) < -0.06f) { EXPECT_EQ(picture.at(x, y), 0) << kind << x << " " << y; }
       }
   }
 }

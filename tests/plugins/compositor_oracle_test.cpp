@@ -114,8 +114,8 @@ TEST(Silhouettes, ASphereHasARimAndNothingElse) {
   for (int y = 0; y < 128; ++y)
     for (int x = 0; x < 128; ++x) {
       const float from_rim = std::abs(std::hypot(float(x) - 63.5f, float(y) - 63.5f) - 0.9f / 2.2f * 128);
-      if (from_rim > 3) EXPECT_EQ(picture.at(x, y), 1) << x << " " << y;
-      if (from_rim < 0.25f) EXPECT_LT(picture.at(x, y), 0.5f) << x << " " << y;
+      if (from_rim > 3) { EXPECT_EQ(picture.at(x, y), 1) << x << " " << y; }
+      if (from_rim < 0.25f) { EXPECT_LT(picture.at(x, y), 0.5f) << x << " " << y; }
     }
 }
 
@@ -302,7 +302,7 @@ TEST(DepthOfField, ATransparentSurfaceStaysSharpOverWhatIsBlurredBehindIt) {
       const bool behind_pane = opacity.at(x, y) > 0;
       EXPECT_NEAR(picture.at(x, y), behind_pane ? 0.5f : 0.0f, 2e-3f) << "red is the pane's alone at " << x << " " << y;
       // Away from the pane's rim the bar has the same profile in front of it and behind it, half as strong there.
-      if (behind_pane) EXPECT_NEAR(picture.at(x, y, 2), 0.5f * picture.at(x, 40, 2), 0.02f) << x << " " << y;
+      if (behind_pane) { EXPECT_NEAR(picture.at(x, y, 2), 0.5f * picture.at(x, 40, 2), 0.02f) << x << " " << y; }
       const float blue = picture.at(x, 40, 2);
       blurred += blue > 0.1f && blue < 0.9f ? 1 : 0;
     }

@@ -48,7 +48,7 @@ TEST(AllCompositors, MakeSoundPicturesOfClearAndOfFullOnes) {
         const glm::vec4 pixel = picture.rgba(x, y);
         for (int c = 0; c < 4; ++c) ASSERT_TRUE(std::isfinite(pixel[c]) && pixel[c] >= 0) << type << " at " << x << " " << y;
         ASSERT_LE(pixel.a, 1.001f) << type;
-        if (pixel.a == 0) ASSERT_EQ(glm::vec3(pixel), glm::vec3(0)) << type << ": a clear pixel has no color";
+        if (pixel.a == 0) { ASSERT_EQ(glm::vec3(pixel), glm::vec3(0)) << type << ": a clear pixel has no color"; }
       }
   }
 }

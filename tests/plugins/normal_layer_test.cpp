@@ -22,7 +22,7 @@ TEST(NormalLayer, LeansOverTheSilhouetteInsteadOfTurningInward) {
       EXPECT_NEAR(glm::length(n), 1.0f, 1e-5f);
       EXPECT_GE(n.z, -1e-6f);
       const glm::vec2 outward(float(x) - 63.5f, 63.5f - float(y));
-      if (glm::length(outward) > 8) EXPECT_GT(n.x * outward.x + n.y * outward.y, 0) << x << ", " << y;
+      if (glm::length(outward) > 8) { EXPECT_GT(n.x * outward.x + n.y * outward.y, 0) << x << ", " << y; }
       leaning += n.z < 1e-4f ? 1 : 0;
     }
   EXPECT_GT(leaning, 0) << "no pixel shows what this is about";

@@ -5,6 +5,7 @@
 
 #include <gtest/gtest.h>
 #include <lumen/components.h>
+#include <lumen/splitter.h>
 #include <lumen/testing.h>
 
 namespace {
@@ -57,7 +58,7 @@ TEST(PlaneCap, LiesInThePlaneAndHidesWhatIsBehindIt) {
   // A small ball wholly inside the half that is looked into: a hollow half would show it.
   ball.scene.surface("seed", lumen::testing::moved(*lumen::testing::sphere(32, 0.2f), glm::vec3(CutBall::sine, 0, CutBall::cosine) * -20.5f));
   const Pixels depth = ball.scene.layer("depth"), normal = ball.scene.layer("normal");
-  for (const auto [x, y] : {std::pair(110, 110), std::pair(60, 110), std::pair(110, 190)}) {
+  for (const auto& [x, y] : {std::pair(110, 110), std::pair(60, 110), std::pair(110, 190)}) {
     const float across = (float(x) + 0.5f - 110) / 100;  // the camera is 10 from its pivot, which is on the plane
     EXPECT_NEAR(depth.at(x, y), 10 + across * CutBall::sine / CutBall::cosine, 1e-4f);
     EXPECT_NEAR(normal.at(x, y, 0), CutBall::sine, 1e-5f);
@@ -159,6 +160,44 @@ TEST(PlaneSplitter, KeepsPartsThatAnArrayTellsApart) {
   EXPECT_TRUE(std::isinf(depth.at(110, 160))) << "the gap";
 }
 
+TEST(PlaneSplitter, DraggingFindsAnewOnlyWhatItMust) {
+  Scene scene({64, 64});
+  const std::shared_ptr<const lumen::Mesh> balls =
+      lumen::testing::joined({lumen::testing::moved(*lumen::testing::sphere(32, 0.5f), {-1, 0, 0}), lumen::testing::moved(*lumen::testing::sphere(32, 0.5f), {1, 0, 0})});
+  auto& cut = static_cast<lumen::Splitter&>(scene.add("splitter.plane", "cut", R"({"offset": 0.1, "whole": [1]})"));
+  const lumen::Camera camera;
+  const auto split = [&] { return cut.split({.mesh = balls, .bounds = balls->bounds(), .camera = camera}); };
+  const lumen::Split first = split();
+  ASSERT_EQ(first.caps.size(), 2u);
+  scene.set("cut.offset", "0.4");
+  const lumen::Split apart = split();
+  EXPECT_EQ(apart.caps[0].shape, first.caps[0].shape) << "the caps move, and stay what they are";
+  EXPECT_EQ(apart.groups, first.groups);
+  EXPECT_NE(apart.parts[0].transform, first.parts[0].transform);
+  scene.set("cut.translation", "[0, 0, 0.2]");
+  const lumen::Split moved = split();
+  EXPECT_NE(moved.caps[0].shape, first.caps[0].shape);
+  EXPECT_EQ(moved.groups, first.groups) << "what stays whole is not sought again";
+}
+
+TEST(PlaneSplitter, ItsRectangleIsDraggedWithoutDrawingTheOpaqueSceneAgain) {
+  Scene scene({64, 64});
+  scene.add("diffuse.lambert", "lambert");
+  scene.add("opacity.constant", "faint", R"({"alpha": 0.3})");
+  scene.add("transparency.weighted", "weighted");
+  scene.add("occlusion.ssao", "ssao");
+  scene.surface("ball", lumen::testing::sphere(32), R"({"diffuse": "lambert"})");
+  scene.add("renderer.plane", "plane", R"({"opacity": "faint", "diffuse": "lambert", "translation": [0, 0, 1.2], "scale": [1, 1]})");
+  const float before = scene.layer("color").at(32, 32, 0);
+  const int geometry = scene.runs("geometry"), occlusion = scene.runs("ssao"), lighting = scene.runs("lighting"), transparent = scene.runs("weighted");
+  scene.set("plane.diffuse_color", "[0, 1, 0]");
+  EXPECT_NE(scene.layer("color").at(32, 32, 0), before);
+  EXPECT_EQ(scene.runs("geometry"), geometry);
+  EXPECT_EQ(scene.runs("ssao"), occlusion);
+  EXPECT_EQ(scene.runs("lighting"), lighting);
+  EXPECT_GT(scene.runs("weighted"), transparent);
+}
+
 TEST(PlaneSplitter, SeveralPlanesCutEachOthersHalves) {
   Scene scene({220, 220});
   scene.add("splitter.plane", "across", R"({"axis": [0, 1, 0], "angle": 90, "offset": 0.1})");
@@ -168,7 +207,7 @@ TEST(PlaneSplitter, SeveralPlanesCutEachOthersHalves) {
   EXPECT_TRUE(std::isinf(depth.at(110, 60)));
   EXPECT_TRUE(std::isinf(depth.at(60, 110)));
   std::set<float> parts;
-  for (const auto [x, y] : {std::pair(70, 70), std::pair(150, 70), std::pair(70, 150), std::pair(150, 150)}) parts.insert(id.at(x, y, 1));
+  for (const auto& [x, y] : {std::pair(70, 70), std::pair(150, 70), std::pair(70, 150), std::pair(150, 150)}) parts.insert(id.at(x, y, 1));
   EXPECT_EQ(parts, (std::set<float>{1, 2, 3, 4}));
 }
 

@@ -65,6 +65,18 @@ TEST(TwoViews, OfAVolumePlacedByInterestComeToRestAndTheFirstLeads) {
   EXPECT_LT(views.center().z, -0.2f);
 }
 
+TEST(TwoViews, WhatWasSetByHandIsPlacedAgainOnceItIsNot) {
+  Views views(session_text);
+  views.rounds(40);
+  const glm::vec3 placed = views.center();
+  views.workshop.session().set("hole.center", Json{0.1, 0.2, 1.0});
+  views.rounds(40);
+  EXPECT_EQ(views.center(), glm::vec3(0.1f, 0.2f, 1.0f));
+  views.workshop.session().reset("hole.center");
+  EXPECT_LT(views.rounds(40), 40);
+  EXPECT_EQ(views.center(), placed);
+}
+
 TEST(TwoViews, TheSecondLeadsOnceTheFirstIsGone) {
   Views views(session_text);
   views.rounds(40);

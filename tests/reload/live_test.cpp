@@ -191,7 +191,7 @@ TEST_F(LiveReload, AHundredReloadsLeaveThePictureAndTheCountOfObjects) {
   EXPECT_EQ(view().picture().download(), before);
   EXPECT_EQ(objects(), objects_before);
   for (const PassStatistics& pass : view().statistics()) {
-    if (pass.name == "geometry") EXPECT_EQ(pass.runs, geometry_runs) << "the mesh and its layers belong to another plugin";
+    if (pass.name == "geometry") { EXPECT_EQ(pass.runs, geometry_runs) << "the mesh and its layers belong to another plugin"; }
   }
   Instance& ssao = instance("ssao");
   EXPECT_EQ(std::get<float>(ssao.read(ssao.slot_of("radius"))), 0.07f);

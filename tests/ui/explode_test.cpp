@@ -132,6 +132,18 @@ TEST_F(ExplodeHand, AClickKeepsAPartOutAndTheNextLetsItGo) {
   EXPECT_EQ(moved(1), 0);
 }
 
+TEST_F(ExplodeHand, AClickKeepsThePartThatHasComeOutFromUnderThePointer) {
+  point_at(1, {500, 300});
+  ticks();
+  // It is gone from there: what is behind it, or nothing, is under the pointer by now.
+  for (const std::optional<int> behind : {std::optional<int>(), std::optional(0)}) {
+    point_at(behind, {502, 301});
+    EXPECT_TRUE(send({.type = Type::press, .button = Button::left, .position = {502, 301}}));
+    send({.type = Type::release, .button = Button::left, .position = {502, 301}});
+    EXPECT_EQ(value<std::vector<float>>("parts.pulled"), behind ? std::vector<float>{} : (std::vector<float>{0, 1}));
+  }
+}
+
 TEST_F(ExplodeHand, ADragSlidesAPartAlongItsWay) {
   load(R"({"type": "splitter.explode", "degree": 0, "layout": "graph"})");
   moved(0);

@@ -5,19 +5,13 @@
 #include <array>
 #include <cmath>
 
-#include <OpenMesh/Core/Mesh/TriMesh_ArrayKernelT.hh>
-#include <OpenMesh/Core/System/omstream.hh>
 #include <glm/geometric.hpp>
+
+#include "../connectivity.h"
 
 namespace {
 
-/// Connectivity alone: positions and normals stay in our arrays.
-struct Traits : OpenMesh::DefaultTraits {
-  VertexAttributes(OpenMesh::Attributes::None);
-  FaceAttributes(OpenMesh::Attributes::None);
-  HalfedgeAttributes(OpenMesh::Attributes::PrevHalfedge);
-};
-using Surface = OpenMesh::TriMesh_ArrayKernelT<Traits>;
+using Surface = Connectivity;
 using Edge = OpenMesh::HalfedgeHandle;
 
 constexpr std::size_t progress_step = 1 << 16;

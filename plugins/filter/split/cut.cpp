@@ -6,22 +6,15 @@
 #include <cfloat>
 #include <optional>
 
-#include <OpenMesh/Core/Mesh/TriMesh_ArrayKernelT.hh>
-#include <OpenMesh/Core/System/omstream.hh>
 #include <glm/geometric.hpp>
 #include <lumen/components.h>
 
+#include "../connectivity.h"
 #include "sheets.h"
 
 namespace {
 
-/// Connectivity alone: positions stay in the mesh's array.
-struct Traits : OpenMesh::DefaultTraits {
-  VertexAttributes(OpenMesh::Attributes::None);
-  FaceAttributes(OpenMesh::Attributes::None);
-  HalfedgeAttributes(OpenMesh::Attributes::PrevHalfedge);
-};
-using Surface = OpenMesh::TriMesh_ArrayKernelT<Traits>;
+using Surface = Connectivity;
 using HalfEdge = OpenMesh::HalfedgeHandle;
 using Face = OpenMesh::FaceHandle;
 

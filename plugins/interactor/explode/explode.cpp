@@ -121,11 +121,13 @@ struct Explode : Interactor {
     view.animate();
   }
 
-  /// A part that has come out from under the pointer does not go back at once, or it would go to and fro.
+  /// A part that has come out from under the pointer does not go back at once, or it would go to and fro; and a press is still its own.
+  bool lingers(glm::vec2 position) const { return riffle && hovered_ && glm::distance(position, hovered_at_) < linger_pixels; }
+
   void hover(glm::vec2 position, ViewInput& view) {
     const auto part = riffle ? part_at(position, view) : std::nullopt;
     if (part && part == hovered_) hovered_at_ = position;
-    if (part == hovered_ || (riffle && hovered_ && glm::distance(position, hovered_at_) < linger_pixels)) return;
+    if (part == hovered_ || lingers(position)) return;
     hovered_ = part;
     hovered_at_ = position;
     move_on(view);
@@ -133,7 +135,7 @@ struct Explode : Interactor {
 
   bool press(const InputEvent& event, ViewInput& view) {
     if (event.button != InputEvent::Button::left || event.shift || event.control || !event.held.empty()) return false;
-    const auto part = part_at(event.position, view);
+    const auto part = lingers(event.position) ? hovered_ : part_at(event.position, view);
     if (!part) return false;
     const float out = std::max({degree.get(), at(pulled, *part), at(riffled, *part)});
     held_ = Held{.part = *part, .position = event.position, .way = way_of(*part, event.position, view), .degree = out};

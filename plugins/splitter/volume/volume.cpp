@@ -89,10 +89,11 @@ struct Volume : lumen::Splitter {
     const Cut begin = unplaced();
     const Cut found = sight.hidden() ? placed(sight, begin, !center.is_set(), sized, alpha, beta, Cut{.radius = radius_of_scene}.volume())
                       : sized        ? begin.scaled(0) : begin;
-    center.set_default(found.center);
-    radius.set_default(found.radius);
-    size.set_default(found.size);
-    length.set_default(found.length);
+    // What is set keeps its default: were that the same, nothing would change, and be found anew, once it is set no more.
+    if (!center.is_set()) center.set_default(found.center);
+    if (!radius.is_set()) radius.set_default(found.radius);
+    if (!size.is_set()) size.set_default(found.size);
+    if (!length.is_set()) length.set_default(found.length);
   }
 
   /// With the lengths that fit the scene where none are set.

@@ -7,26 +7,12 @@ namespace {
 
 /// The paper inserts fragments into the nodes as they are drawn, which needs ordered access to a pixel. Without it, the
 /// fragments wait in a list, and stream through the nodes when the picture is put together.
-struct Mlab : lumen::Transparency {
-  using Transparency::Transparency;
+struct Mlab : ListedTransparency {
+  explicit Mlab(lumen::Binding& binding) : ListedTransparency(binding, "transparency/mlab.glsl") {}
 
   lumen::Property<int> nodes{this, "nodes", 4, {.min = 1, .max = 8, .doc = "how many layers of a pixel are kept apart; exact up to as many", .constant = true}};
   lumen::Property<lumen::Choice> merge{this, "merge", {"sum"}, {.doc = "what becomes of layers beyond the nodes: sum blends them by weighted sums behind the nodes, in whatever order they come; over merges them into the last node as the paper does, which depends on the order of drawing", .choices = {"sum", "over"}, .constant = true}};
   lumen::Property<float> decay{this, "decay", 4.0f, {.min = 0, .max = 20, .doc = "how strongly near fragments outweigh far ones behind the nodes: exp(-decay z), z = 0 at the nearest, 1 at the farthest surface", .when = "merge = sum"}};
-  lumen::Property<float> memory{this, "memory", 128.0f, {.min = 1, .max = FragmentLists::most_megabytes, .unit = "MB", .doc = "what the fragments may take, 20 bytes each; those that find no room are counted and missing", .logarithmic = true}};
-
-  lumen::Writes transparent{this, "transparent", lumen::Format::RGBA32F};
-
-  void render(lumen::TransparencyFrame& frame) override {
-    constexpr const char* shader = "transparency/mlab.glsl";
-    lists_.gather(frame, shader, double(memory), *this);
-    frame.fullscreen(shader, {.function = "resolve"});
-  }
-  void released() override { lists_.release(); }
-  std::size_t bytes() const override { return lists_.bytes(); }
-
- private:
-  FragmentLists lists_;
 };
 
 }  // namespace
