@@ -39,6 +39,7 @@ void SessionWorkbench::attempt(Action action) {
 
 void SessionWorkbench::reloaded(const ReloadEvent& event, double now) {
   types_.clear();
+  addable_.clear();
   for (TypeInfo& type : workshop_.registry().types()) types_[type.id] = type;
   switch (event.state) {
     case BuildState::loaded: badges_[event.library] = {"loaded", now + loaded_seconds}; break;
@@ -165,6 +166,22 @@ std::vector<lumen::Problem> SessionWorkbench::problems() const {
   for (lumen::Problem& problem : problems)
     if (std::find(unique.begin(), unique.end(), problem) == unique.end()) unique.push_back(std::move(problem));
   return unique;
+}
+
+std::vector<lumen::TypeState> SessionWorkbench::types() const {
+  if (!addable_.empty()) return addable_;
+  // Only an interactor itself knows what it can be to a view.
+  Session trial(workshop_.registry());
+  for (const auto& [id, info] : types_) {
+    lumen::TypeState state{.id = id, .doc = info.doc, .kind = info.kind};
+    if (info.kind == lumen::Kind::interactor) {
+      const auto* interactor = trial.add(id).as<lumen::Interactor>(lumen::Kind::interactor);
+      state.camera = interactor != nullptr && interactor->is_camera();
+      state.light = interactor != nullptr && interactor->is_light();
+    }
+    addable_.push_back(std::move(state));
+  }
+  return addable_;
 }
 
 std::string SessionWorkbench::add(const std::string& type, const std::string& properties) {

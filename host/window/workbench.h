@@ -49,6 +49,7 @@ class SessionWorkbench final : public lumen::Workbench {
   void select(const std::string& instance) override;
   std::vector<lumen::Problem> problems() const override;
   void open_source(const std::string& file, int line) override;
+  std::vector<lumen::TypeState> types() const override;
   std::string add(const std::string& type, const std::string& properties = "{}") override;
   std::string instance_at(glm::vec2 point) override { return pick_ ? pick_(point) : std::string(); }
   std::shared_ptr<const lumen::Image> picture(const std::string& type, const std::string& properties) override { return shelf_.take(type, properties); }
@@ -74,6 +75,7 @@ class SessionWorkbench final : public lumen::Workbench {
   std::string selection_;
   std::map<std::string, Badge> badges_;            ///< by library
   std::map<std::string, TypeInfo> types_;          ///< as the registry has them, since the last reload
+  mutable std::vector<lumen::TypeState> addable_;  ///< of the same; empty: not asked for since
 };
 
 }  // namespace lumenshop

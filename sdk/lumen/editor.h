@@ -34,6 +34,13 @@ struct InstanceState {
   std::vector<std::string> orphans;  ///< kept values that nothing declares, as "name: JSON"
 };
 
+/// What can be added to a session.
+struct TypeState {
+  std::string id, doc;
+  Kind kind = Kind::view;
+  bool camera = false, light = false;  ///< interactors: what they can be to a view
+};
+
 struct Problem {
   Severity severity = Severity::error;
   std::string instance;          ///< or empty
@@ -82,6 +89,7 @@ class Workbench {
   virtual void select(const std::string& instance) = 0;
   virtual std::vector<Problem> problems() const = 0;
   virtual void open_source(const std::string& file, int line) = 0;     ///< in $VISUAL
+  virtual std::vector<TypeState> types() const = 0;                    ///< that are installed, by id
   /// Adds an instance of a type, with values as a session file has them: a JSON object. Its id. Throws Error; then nothing came.
   virtual std::string add(const std::string& type, const std::string& properties = "{}") = 0;
   /// What the view shows at a point of the window, in ImGui's pixels: an instance's id, or empty.

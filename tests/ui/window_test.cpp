@@ -100,6 +100,16 @@ TEST_F(Window, AClickPicksAPartAndSelectsItsSurface) {
     {"idle": 0.4}, {"click": "view/picture", "at": [0.02, 0.98]}, {"expect": "cut.whole", "value": []}, {"expect_place": "properties/skin.mesh", "there": false}, {"expect_problems": 0}])json", "cut.json");
 }
 
+TEST_F(Window, AFieldOfReferencesMakesNewInstancesInOneStep) {
+  play(R"json([
+    {"settle": true}, {"select": "wall"}, {"idle": 0.1},
+    {"click": "properties/wall.splitter"}, {"idle": 0.3}, {"type": "plane"}, {"idle": 0.2}, {"shot": "new.ppm"}, {"key": "Enter"}, {"idle": 0.3},
+    {"expect": "wall.splitter", "value": ["plane"]}, {"expect_place": "outline/plane"}, {"expect_place": "properties/wall.splitter"}, {"expect_problems": 0},
+    {"key": "Ctrl+Z"}, {"idle": 0.2}, {"expect": "wall.splitter", "value": []}, {"expect_place": "outline/plane", "there": false},
+    {"click": "properties/wall.specular"}, {"idle": 0.3}, {"type": "new phong"}, {"idle": 0.2}, {"key": "Enter"}, {"settle": true},
+    {"expect": "wall.specular", "value": "phong"}, {"key": "Ctrl+Z"}, {"idle": 0.2}, {"expect": "wall.specular", "value": "blinn"}])json");
+}
+
 TEST_F(Window, DrawsNothingWhileIdle) {
   play(R"json([{"settle": true}, {"idle": 1}, {"idle": 3, "frames": 0}])json");
 }

@@ -17,6 +17,25 @@ void begin(Workbench& workbench, const std::string& path) {
   it.editing = path;
 }
 
+/// The reference, or the list of them, with one to a new instance.
+Value referring(Value value, const std::string& id) {
+  if (auto* list = std::get_if<References>(&value)) list->ids.push_back(id);
+  else std::get<Reference>(value).id = id;
+  return value;
+}
+
+void add(Workbench& workbench, const std::string& path, const std::string& type, const Value& value) {
+  settle_now(workbench);
+  workbench.begin_edit();
+  try {
+    workbench.set(path, referring(value, workbench.add(type)));
+    workbench.end_edit();
+  } catch (...) {
+    workbench.cancel_edit();
+    throw;
+  }
+}
+
 }  // namespace
 
 void carry_out(Workbench& workbench, const std::string& path, const Edit& edit, const Value& value) {
@@ -37,6 +56,7 @@ void carry_out(Workbench& workbench, const std::string& path, const Edit& edit, 
         wake_in(nudges_join + 0.01);
       }
     }
+    if (!edit.new_type.empty()) return add(workbench, path, edit.new_type, value);
     if (edit.changed) workbench.set(path, value);
   } catch (const Error& error) {
     it.notice = error.what();

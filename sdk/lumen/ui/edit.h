@@ -12,12 +12,14 @@ struct Edit {
   bool active = false;     ///< the person is at it: all changes until it ends are one undo step
   bool cancelled = false;  ///< back to the value at its beginning
   bool nudged = false;     ///< a step by wheel or key: those within 0.7 s are one undo step
+  std::string new_type;    ///< an instance of it is to be added, and to be referred to: both are one undo step
 
   Edit& operator|=(const Edit& other) {
     changed |= other.changed;
     active |= other.active;
     cancelled |= other.cancelled;
     nudged |= other.nudged;
+    if (new_type.empty()) new_type = other.new_type;
     return *this;
   }
 };

@@ -13,39 +13,58 @@ namespace {
 
 constexpr const char* instance_payload = "lumen instance";
 
-bool fits(const InstanceState& instance, const std::string& accepts) {
-  if (accepts == "camera") return instance.camera;
-  if (accepts == "light") return instance.light;
-  return accepts.empty() ? instance.kind != Kind::view : name_of(instance.kind) == accepts;
+template <class State>
+bool suits(const State& state, const std::string& accepts) {
+  if (accepts == "camera") return state.camera;
+  if (accepts == "light") return state.light;
+  return accepts.empty() ? state.kind != Kind::view : name_of(state.kind) == accepts;
 }
 
-/// The open list. True if `chosen` is the answer; empty = none.
-bool choose(const Workbench& workbench, const std::string& accepts, bool with_none, std::string& chosen) {
+/// What was chosen from the open list.
+struct Choosing {
+  bool done = false;
+  std::string id;         ///< empty: none
+  std::string new_type;   ///< or an instance of this, which is yet to be added
+};
+
+/// A row of two columns. True if it was clicked, or is the first that the filter leaves and Enter was pressed.
+bool row(const std::string& name, const std::string& words, bool first) {
+  const Look& it = look();
+  const bool pressed = ImGui::Selectable(("##" + name).c_str(), false, 0, {it(420), 0});
+  record("choose/" + name);
+  if (!words.empty()) tooltip(words);
+  const ImVec2 corner = ImGui::GetItemRectMin();
+  ImDrawList* list = ImGui::GetWindowDrawList();
+  text_elided(list, corner, it(190), name, it.colors.text);
+  text_elided(list, {corner.x + it(200), corner.y}, it(220), words, it.colors.dim);
+  const bool entered = first && (ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Enter), false) || ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_KeyPadEnter), false));
+  return pressed || entered;
+}
+
+/// The open list: what the session has, then what can be added to it.
+Choosing choose(const Workbench& workbench, const std::string& accepts, bool with_none) {
   const Look& it = look();
   std::string& filter = look().filter;
   if (ImGui::IsWindowAppearing()) {
     filter.clear();
     ImGui::SetKeyboardFocusHere();
   }
-  search_field("filter", filter, it(240), "Filter");
-  bool answered = false;
-  if (with_none && filter.empty() && ImGui::Selectable("none")) {
-    chosen.clear();
-    answered = true;
-  }
-  const auto instances = candidates(workbench, accepts);
-  for (const InstanceState& instance : instances) {
+  search_field("filter", filter, it(420), "Filter; Enter takes the first");
+  Choosing choosing;
+  if (with_none && filter.empty() && row("none", "", false)) choosing.done = true;
+  bool first = !filter.empty();
+  for (const InstanceState& instance : candidates(workbench, accepts)) {
     if (!matches(instance.id + " " + instance.type, filter)) continue;
-    if (ImGui::Selectable((instance.id + "##" + instance.id).c_str())) {
-      chosen = instance.id;
-      answered = true;
-    }
-    ImGui::SameLine(it(120));
-    text(instance.type, it.colors.dim);
+    if (row(instance.id, instance.type, std::exchange(first, false))) choosing = {.done = true, .id = instance.id};
   }
-  if (instances.empty()) text("nothing of this kind is in the session; add it with Shift+A", it.colors.dim);
-  if (answered) ImGui::CloseCurrentPopup();
-  return answered;
+  bool headed = false;
+  for (const TypeState& type : workbench.types()) {
+    if (!suits(type, accepts) || !matches(type.id + " " + type.doc + " new", filter)) continue;
+    if (!std::exchange(headed, true)) text("New", it.colors.label);
+    if (row(type.id, type.doc, std::exchange(first, false))) choosing = {.done = true, .new_type = type.id};
+  }
+  if (choosing.done) ImGui::CloseCurrentPopup();
+  return choosing;
 }
 
 /// A field that shows an id. True if it was clicked.
@@ -81,7 +100,7 @@ bool accept_drop(const Workbench& workbench, const std::string& accepts, std::st
 
 std::vector<InstanceState> candidates(const Workbench& workbench, const std::string& accepts) {
   auto instances = workbench.instances();
-  std::erase_if(instances, [&](const InstanceState& instance) { return !fits(instance, accepts); });
+  std::erase_if(instances, [&](const InstanceState& instance) { return !suits(instance, accepts); });
   return instances;
 }
 
@@ -91,7 +110,11 @@ Edit reference_field(Workbench& workbench, const char* id, std::string& referenc
   if (chip("chip", reference.empty() ? "none" : reference, reference.empty(), width, style)) ImGui::OpenPopup("choose");
   if (accept_drop(workbench, accepts, reference)) edit.changed = true;
   if (ImGui::BeginPopup("choose")) {
-    edit.changed |= choose(workbench, accepts, true, reference);
+    if (Choosing choosing = choose(workbench, accepts, true); choosing.done) {
+      edit.new_type = std::move(choosing.new_type);
+      edit.changed = true;
+      if (edit.new_type.empty()) reference = std::move(choosing.id);
+    }
     ImGui::EndPopup();
   }
   ImGui::PopID();
@@ -130,7 +153,11 @@ Edit references_field(Workbench& workbench, const char* id, std::vector<std::str
     std::string chosen;
     bool add = accept_drop(workbench, accepts, chosen);
     if (ImGui::BeginPopup("choose")) {
-      add |= choose(workbench, accepts, false, chosen);
+      if (Choosing choosing = choose(workbench, accepts, false); choosing.done) {
+        edit.new_type = std::move(choosing.new_type);
+        add = edit.new_type.empty();
+        chosen = std::move(choosing.id);
+      }
       ImGui::EndPopup();
     }
     if (add && std::find(references.begin(), references.end(), chosen) == references.end()) {
