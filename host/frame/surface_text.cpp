@@ -74,7 +74,7 @@ constexpr const char* removal = "  s.place = (lumen_world_to_place * vec4(to_wor
 
 std::string renderer_surface_text(const std::string& prefix, const SurfaceProgram& program) {
   std::string text = "Surface lumen_surface() {\n  Surface s;\n"
-                     "  s.instance = lumen_instance;\n  s.style = lumen_instance;\n  s.part = lumen_part_index;\n  s.primitive = 0;\n"
+                     "  s.instance = lumen_instance;\n  s.style = lumen_instance;\n  s.part = lumen_part_index;\n  s.primitive = 0;\n  s.curvature = mat3(0);\n"
                      "  s.front = gl_FrontFacing != (lumen_mirrored != 0);\n"
                      "  lumen_own_material(s);\n  " + prefix + "surface(" + prefix + "load(0), s);\n  s.to_eye = to_eye(s.position);\n";
   text += "  s.normal = lumen_facing(s.normal, s.to_eye, cross(dFdx(s.position), dFdy(s.position)));\n";
@@ -89,7 +89,7 @@ std::string renderer_surface_text(const std::string& prefix, const SurfaceProgra
 
 std::string cap_surface_text(const SurfaceProgram& program) {
   return std::string("in vec3 lumen_cap_position;\nuniform vec4 lumen_cap_normal;\nSurface lumen_surface() {\n  Surface s;\n"
-                     "  s.instance = lumen_instance;\n  s.style = lumen_interior_style;\n  s.part = lumen_part_index;\n  s.primitive = -1;\n  s.front = true;\n"
+                     "  s.instance = lumen_instance;\n  s.style = lumen_interior_style;\n  s.part = lumen_part_index;\n  s.primitive = -1;\n  s.front = true;\n  s.curvature = mat3(0);\n"
                      "  lumen_material(s);\n  s.position = lumen_cap_position;\n  s.to_eye = to_eye(s.position);\n") +
          (program.removes ? removal : "") +
          "  s.normal = dot(lumen_cap_normal.xyz, s.to_eye) < 0.0 ? -lumen_cap_normal.xyz : lumen_cap_normal.xyz;\n  return s;\n}\n";

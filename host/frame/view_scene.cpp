@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include <lumen/interactor.h>
+#include <lumen/mesh.h>
 #include <lumen/renderer.h>
 #include "frame/shading.h"
 
@@ -10,6 +11,17 @@ namespace lumenshop {
 namespace {
 
 using lumen::Kind;
+
+/// A term says by lumen::Reads that it reads the surface's curvature.
+bool reads_curvature(const Instance& term) {
+  const auto& reads = term.plugin()->reads();
+  return std::any_of(reads.begin(), reads.end(), [](const lumen::Reads* layer) { return layer->layer() == "curvature"; });
+}
+
+bool has_curvature(const lumen::Mesh& mesh) {
+  const lumen::Attribute* tensor = mesh.attribute("curvature");
+  return tensor != nullptr && tensor->components == 6 && tensor->on == lumen::Attribute::On::points && !mesh.normals.empty();
+}
 
 class Finder {
  public:
@@ -90,10 +102,15 @@ ViewScene find_scene(const Session& session, const std::string& id, const std::s
     if (bounds.empty()) continue;
     SceneSurface surface = finder.surface(*renderer, substitute);
     scene.bounds.include(bounds);
-    const bool transparent = style_of(session, *renderer).terms[3] != nullptr;
+    const Instance* opacity = style_of(session, *renderer).terms[3];
+    const bool transparent = opacity != nullptr;
     if (transparent && scene.transparency == nullptr)
       finder.problem(lumen::Severity::warning, renderer->id(),
                      "has an opacity, but view '" + id + "' has no transparency: drawn opaque; give the view one, say transparency.weighted");
+    const std::shared_ptr<const lumen::Mesh> mesh = transparent && reads_curvature(*opacity) ? renderer->as<lumen::Renderer>(Kind::renderer)->traced().mesh : nullptr;
+    if (mesh != nullptr && !has_curvature(*mesh))
+      finder.problem(lumen::Severity::note, renderer->id(),
+                     "its mesh has no curvature, which '" + opacity->id() + "' reads: it makes do with the normals; link the mesh through filter.curvature");
     (transparent && scene.transparency != nullptr ? scene.transparent : scene.opaque).push_back(std::move(surface));
   }
   return scene;

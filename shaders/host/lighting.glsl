@@ -14,5 +14,6 @@ Surface surface_at(vec2 uv) {
   s.part = 0;
   s.primitive = 0;
   s.front = true;
+  s.curvature = mat3(0);
   return s;
 }

@@ -14,6 +14,9 @@ struct Surface {
   int primitive;       // of the data, from 0
   bool front;          // seen from outside; set by the host
   vec3 place;          // world, where it was before splitters moved it; set for splitters alone
+  mat3 curvature;      // view space, 1 / world units: along a unit tangent w the outside bends by w^T C w, positive where it bends away
+                       // from the outward normal, whichever side is seen. Zero: the mesh has none (filter.curvature gives it one), or
+                       // the surface is opaque, whose light knows no more than the layers
 };
 
 struct Light {

@@ -64,9 +64,11 @@ class Pair {
   explicit Pair(const std::shared_ptr<Mesh>& mesh) : scene({64, 32}) {
     scene.set("camera.height", "2.4");
     look_from_near(scene);
+    scene.give("shape", mesh);
+    scene.add("filter.curvature", "bent", R"({"mesh": {"link": "shape.mesh"}})");
     for (const auto& [id, x] : {std::pair("solid", "-1.2"), std::pair("clear", "1.2")})
-      scene.surface(id, mesh, R"({"ambient_color": [0.2, 0.3, 0.1], "diffuse_color": [0.7, 0.4, 0.3], "specular_color": [0.5, 0.8, 1], "shininess": 12,
-                                  "transform": [1,0,0,)" + std::string(x) + ", 0,1,0,0, 0,0,1,0, 0,0,0,1]}");
+      scene.add("renderer.surface", id, R"({"mesh": {"link": "bent.result"}, "ambient_color": [0.2, 0.3, 0.1], "diffuse_color": [0.7, 0.4, 0.3], "specular_color": [0.5, 0.8, 1], "shininess": 12,
+                                            "transform": [1,0,0,)" + std::string(x) + ", 0,1,0,0, 0,0,1,0, 0,0,0,1]}");
     scene.add("transparency.weighted", "weighted");
     scene.set("front.direction", json(slanted));
     scene.set("front.color", "[1, 0.9, 0.8]");

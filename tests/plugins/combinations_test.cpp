@@ -29,7 +29,9 @@ class Combinations : public testing::Test {
     const auto ball = lumen::testing::sphere(32, 0.5f);
     scene_.surface("floor", lumen::testing::moved(*lumen::testing::rectangle(), {0, 0, -0.6f}), R"({"specular_color": [0.4, 0.4, 0.4]})");
     scene_.surface("solid", lumen::testing::moved(*ball, {-0.4f, 0, 0}), R"({"specular_color": [0.4, 0.4, 0.4]})");
-    scene_.surface("clear", lumen::testing::moved(*ball, {0.3f, 0.1f, 0.4f}), R"({"specular_color": [0.4, 0.4, 0.4]})");
+    scene_.give("shape", lumen::testing::moved(*ball, {0.3f, 0.1f, 0.4f}));
+    scene_.add("filter.curvature", "bent", R"({"mesh": {"link": "shape.mesh"}})");
+    scene_.add("renderer.surface", "clear", R"({"mesh": {"link": "bent.result"}, "specular_color": [0.4, 0.4, 0.4]})");
     // The fewest samples that still run every pass of a technique.
     for (std::size_t i = 0; i < types_[3].size(); ++i)
       for (const char* property : {"refinements", "samples", "slices", "rays"}) lower(id(3, int(i)) + "." + property);

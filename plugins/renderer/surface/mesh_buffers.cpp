@@ -9,6 +9,8 @@ namespace {
 /// Software GL holds a few hundred bytes for each triangle that is drawn and not yet rasterized, of as many as it is given.
 constexpr std::size_t triangles_at_once = 1 << 14, parts_ahead = 4;
 
+constexpr std::size_t tensor_size = 6;
+
 template <class T>
 lumen::gl::Buffer buffer_of(std::span<const T> values) {
   return lumen::gl::Buffer(std::as_bytes(values));
@@ -31,29 +33,35 @@ std::vector<float> shown_values(const lumen::Attribute& attribute) {
   return shown;
 }
 
-MeshBuffers::MeshBuffers(const lumen::Mesh& mesh, const lumen::Attribute* attribute, Groups groups) : groups_(std::move(groups)), clusters_(make_clusters(mesh, groups_)) {
+MeshBuffers::MeshBuffers(const lumen::Mesh& mesh, const lumen::Attribute* attribute, const lumen::Attribute* curvature, Groups groups)
+    : groups_(std::move(groups)), clusters_(make_clusters(mesh, groups_)) {
+  const std::span<const float> tensors = curvature == nullptr ? std::span<const float>() : curvature->values.view();
   if (attribute == nullptr || attribute->on == lumen::Attribute::On::points) {
-    upload(mesh.positions, mesh.normals, attribute == nullptr ? std::vector<float>{} : shown_values(*attribute));
+    upload(mesh.positions, mesh.normals, attribute == nullptr ? std::vector<float>{} : shown_values(*attribute), tensors);
     return;
   }
   // A value per cell: points are no longer shared, each corner has its cell's value.
   const std::vector<float> cell_values = shown_values(*attribute);
   const std::vector<std::uint32_t> cells = drawn_cells(mesh, groups_);
   std::vector<glm::vec3> positions, normals;
-  std::vector<float> values;
+  std::vector<float> values, curvatures;
   for (std::size_t i = 0; i < clusters_.triangles.size(); ++i) {
     glm::uvec3& triangle = clusters_.triangles[i];
     for (int corner = 0; corner < 3; ++corner) {
       positions.push_back(mesh.positions[triangle[corner]]);
       if (!mesh.normals.empty()) normals.push_back(mesh.normals[triangle[corner]]);
       values.push_back(cell_values[cells[i]]);
+      if (!tensors.empty()) {
+        const auto tensor = tensors.subspan(tensor_size * triangle[corner], tensor_size);
+        curvatures.insert(curvatures.end(), tensor.begin(), tensor.end());
+      }
     }
     triangle = glm::uvec3(3 * i) + glm::uvec3(0, 1, 2);
   }
-  upload(positions, normals, values);
+  upload(positions, normals, values, curvatures);
 }
 
-void MeshBuffers::upload(std::span<const glm::vec3> positions, std::span<const glm::vec3> normals, std::span<const float> values) {
+void MeshBuffers::upload(std::span<const glm::vec3> positions, std::span<const glm::vec3> normals, std::span<const float> values, std::span<const float> curvatures) {
   array_ = lumen::gl::VertexArray::create();
   positions_ = buffer_of(positions);
   array_.attribute(0, positions_, 3, sizeof(glm::vec3));
@@ -64,6 +72,11 @@ void MeshBuffers::upload(std::span<const glm::vec3> positions, std::span<const g
   if (!values.empty()) {
     values_ = buffer_of(values);
     array_.attribute(2, values_, 1, sizeof(float));
+  }
+  if (!curvatures.empty()) {
+    curvatures_ = buffer_of(curvatures);
+    array_.attribute(3, curvatures_, 3, tensor_size * sizeof(float));
+    array_.attribute(4, curvatures_, 3, tensor_size * sizeof(float), 3 * sizeof(float));
   }
   triangles_ = buffer_of(std::span<const glm::uvec3>(clusters_.triangles));
   clusters_.triangles = {};  // the GL has them now

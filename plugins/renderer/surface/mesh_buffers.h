@@ -12,8 +12,9 @@
 
 class MeshBuffers {
  public:
-  /// `attribute`: the array that colors, or null; its magnitude if it has several components.
-  MeshBuffers(const lumen::Mesh& mesh, const lumen::Attribute* attribute, Groups groups);
+  /// `attribute`: the array that colors, or null; its magnitude if it has several components. `curvature`: the tensors at the
+  /// points, six numbers each, or null.
+  MeshBuffers(const lumen::Mesh& mesh, const lumen::Attribute* attribute, const lumen::Attribute* curvature, Groups groups);
   /// Whether they were made for these groups.
   bool made_for(const Groups& groups) const { return groups == groups_; }
   /// All triangles of a group (-1: all) of the mesh that it was made from, in one call, which tells their cells apart.
@@ -28,10 +29,10 @@ class MeshBuffers {
   void bind(const lumen::gl::Buffer& indices) const;
   /// Triangles of the bound indices; of many parts only a few are under way at a time.
   void draw_elements(std::size_t first, std::size_t count) const;
-  void upload(std::span<const glm::vec3> positions, std::span<const glm::vec3> normals, std::span<const float> values);
+  void upload(std::span<const glm::vec3> positions, std::span<const glm::vec3> normals, std::span<const float> values, std::span<const float> curvatures);
   Groups groups_;
   ClusteredMesh clusters_;
-  lumen::gl::Buffer positions_, normals_, values_, triangles_;
+  lumen::gl::Buffer positions_, normals_, values_, curvatures_, triangles_;
   lumen::gl::Buffer cells_;         ///< made when first wanted
   lumen::gl::Buffer visible_;       ///< the triangles that draw() gathered last
   std::vector<Run> runs_;

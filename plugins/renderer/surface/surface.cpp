@@ -29,6 +29,8 @@ struct Surface : lumen::Renderer {
   lumen::Property<bool> colored{this, "colored", false, {.doc = "show the array's colors; follows color_by unless set", .group = "Color by array", .when = "color_by", .constant = true}};
   lumen::Property<lumen::TransferFunction> color_map{this, "color_map", viridis({0, 1}), {.doc = "value to color; spans the array's range unless set", .group = "Color by array", .when = "colored"}};
 
+  lumen::Property<bool> curved{this, "curved", false, {.doc = "terms see the mesh's array curvature (of filter.curvature), as opacity.contours does; on if it has one, unless set", .group = "Shading", .advanced = true, .constant = true}};
+
   lumen::Bounds bounds() const override {
     const auto data = mesh.get();
     return data == nullptr ? lumen::Bounds{} : data->bounds().transformed(transform);
@@ -41,13 +43,15 @@ struct Surface : lumen::Renderer {
       buffers_.reset();
       choose_colors();
     }
+    if (property == "mesh") curved.set_default(curvature() != nullptr);
+    if (property == "curved") buffers_.reset();
   }
   void released() override { buffers_.reset(); }
 
   void draw(lumen::Draw& draw) override {
     const auto data = mesh.get();
     if (data == nullptr || data->triangles.empty()) return;
-    if (buffers_ == nullptr || !buffers_->made_for(draw.groups())) buffers_ = std::make_unique<MeshBuffers>(*data, attribute(), draw.groups());
+    if (buffers_ == nullptr || !buffers_->made_for(draw.groups())) buffers_ = std::make_unique<MeshBuffers>(*data, attribute(), curved ? curvature() : nullptr, draw.groups());
     for (int part = 0; part < int(draw.parts().size()); ++part) {
       draw.use("renderer/surface.glsl", part);
       if (draw.identifies()) buffers_->draw_group(*data, draw.parts()[std::size_t(part)].group, draw);  // primitives are numbered through
@@ -59,6 +63,13 @@ struct Surface : lumen::Renderer {
   const lumen::Attribute* attribute() const {
     const auto data = mesh.get();
     return data == nullptr || color_by->empty() ? nullptr : data->attribute(*color_by);
+  }
+
+  /// The tensors that terms see, or null. They bend away from the normals, without which they would have no sign.
+  const lumen::Attribute* curvature() const {
+    const auto data = mesh.get();
+    const lumen::Attribute* array = data == nullptr || data->normals.empty() ? nullptr : data->attribute("curvature");
+    return array != nullptr && array->components == 6 && array->on == lumen::Attribute::On::points ? array : nullptr;
   }
 
   void choose_colors() {
