@@ -64,7 +64,7 @@ std::string texts(const std::vector<lumen::Problem>& problems) {
 
 TEST(AllOcclusions, AreInstalled) {
   const std::vector<std::string> ids = installed_occlusions();
-  for (const char* id : {"occlusion.ssao", "occlusion.hbao", "occlusion.gtao", "occlusion.bitmask", "occlusion.voxel"})
+  for (const char* id : {"occlusion.ssao", "occlusion.hbao", "occlusion.gtao", "occlusion.bitmask", "occlusion.voxel", "occlusion.stochastic_depth"})
     EXPECT_NE(std::find(ids.begin(), ids.end(), id), ids.end()) << id;
 }
 
