@@ -14,6 +14,7 @@ find_package(CLI11 REQUIRED)
 find_package(fmt REQUIRED)
 find_package(spdlog REQUIRED)
 find_package(meshoptimizer REQUIRED)
+find_package(embree 3 REQUIRED)
 find_package(OpenMesh REQUIRED)
 find_package(VTK REQUIRED COMPONENTS CommonCore CommonDataModel IOXML IOLegacy IOGeometry IOPLY FiltersCore)
 

@@ -9,7 +9,7 @@
 
 #include <glm/gtc/constants.hpp>
 
-#include "orientation.h"
+#include <topology/orientation.h>
 
 namespace {
 
@@ -101,7 +101,7 @@ ClusteredMesh make_clusters(const lumen::Mesh& mesh, const Groups& groups) {
   const std::size_t count = mesh.triangles.size();
   result.count = std::uint32_t(count);
   if (count == 0) return result;
-  const Orientation orientation = orientation_of(mesh);
+  const lumen::Orientation orientation = lumen::orientation_of(mesh);
   result.solid = orientation.solid;
 
   const std::vector<std::uint32_t> place = grouped(places(mesh), groups);

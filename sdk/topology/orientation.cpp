@@ -1,20 +1,14 @@
-#include "orientation.h"
+#include <topology/orientation.h>
 
 #include <algorithm>
-#include <array>
 #include <numeric>
 #include <optional>
 
-#include <meshoptimizer.h>
+#include <topology/neighbors.h>
+
+namespace lumen {
 
 namespace {
-
-/// Positions that are equal get one number, so that seams of duplicated points do not tear the surface apart.
-std::vector<std::uint32_t> merged_points(const lumen::Mesh& mesh) {
-  std::vector<std::uint32_t> remap(mesh.positions.size());
-  meshopt_generateVertexRemap(remap.data(), nullptr, mesh.positions.size(), mesh.positions.data(), mesh.positions.size(), sizeof(glm::vec3));
-  return remap;
-}
 
 std::uint64_t scrambled(std::uint64_t x) {  // splitmix64, Steele et al. 2014
   x += 0x9e3779b97f4a7c15ull;
@@ -32,7 +26,7 @@ std::uint64_t signed_number(std::uint64_t a, std::uint64_t b) {
 /// The corners of a triangle by the numbers of their points, turned around if so marked.
 class Triangles {
  public:
-  Triangles(const lumen::Mesh& mesh, std::vector<std::uint32_t> points) : mesh_(mesh), points_(std::move(points)) {}
+  Triangles(const Mesh& mesh, std::vector<std::uint32_t> points) : mesh_(mesh), points_(std::move(points)) {}
 
   std::size_t count() const { return mesh_.triangles.size(); }
   glm::uvec3 operator[](std::size_t i) const {
@@ -40,12 +34,12 @@ class Triangles {
     const glm::uvec3 corners = points_.empty() ? t : glm::uvec3(points_[t.x], points_[t.y], points_[t.z]);
     return !turned.empty() && turned[i] ? glm::uvec3(corners.x, corners.z, corners.y) : corners;
   }
-  const lumen::Mesh& mesh() const { return mesh_; }
+  const Mesh& mesh() const { return mesh_; }
 
   std::vector<bool> turned;
 
  private:
-  const lumen::Mesh& mesh_;
+  const Mesh& mesh_;
   std::vector<std::uint32_t> points_;  ///< the number of each position; empty: its own
 };
 
@@ -124,40 +118,7 @@ class Enclosure {
 
 /// Which triangles to turn so that neighbors across an edge of two agree. Where they cannot, no matter.
 std::vector<bool> turned_alike(const Triangles& triangles) {
-  struct Use {
-    std::uint64_t edge;
-    std::uint32_t triangle;
-    bool upward;
-  };
-  std::vector<Use> uses;
-  uses.reserve(3 * triangles.count());
-  for (std::size_t i = 0; i < triangles.count(); ++i) {
-    const glm::uvec3 t = triangles[i];
-    for (int k = 0; k < 3; ++k) {
-      const std::uint64_t a = t[k], b = t[(k + 1) % 3];
-      uses.push_back({std::min(a, b) << 32 | std::max(a, b), std::uint32_t(i), a < b});
-    }
-  }
-  std::sort(uses.begin(), uses.end(), [](const Use& a, const Use& b) { return a.edge < b.edge; });
-  constexpr std::uint32_t none = 0xffffffff;
-  struct Neighbor {
-    std::uint32_t triangle = none;
-    bool disagrees = false;
-  };
-  std::vector<std::array<Neighbor, 3>> neighbors(triangles.count());
-  const auto join = [&](const Use& from, const Use& to) {
-    for (Neighbor& neighbor : neighbors[from.triangle])
-      if (neighbor.triangle == none) {
-        neighbor = {to.triangle, from.upward == to.upward};
-        return;
-      }
-  };
-  for (std::size_t i = 0, end; i < uses.size(); i = end) {
-    for (end = i; end < uses.size() && uses[end].edge == uses[i].edge;) ++end;
-    if (end - i != 2) continue;
-    join(uses[i], uses[i + 1]);
-    join(uses[i + 1], uses[i]);
-  }
+  const Neighbors neighbors(triangles.count(), [&](std::size_t i) { return triangles[i]; });
   std::vector<bool> turned(triangles.count()), seen(triangles.count());
   std::vector<std::uint32_t> open;
   for (std::uint32_t first = 0; first < triangles.count(); ++first) {
@@ -168,7 +129,7 @@ std::vector<bool> turned_alike(const Triangles& triangles) {
       const std::uint32_t triangle = open.back();
       open.pop_back();
       for (const Neighbor& neighbor : neighbors[triangle]) {
-        if (neighbor.triangle == none || seen[neighbor.triangle]) continue;
+        if (neighbor.triangle == Neighbor::none || seen[neighbor.triangle]) continue;
         seen[neighbor.triangle] = true;
         turned[neighbor.triangle] = turned[triangle] != neighbor.disagrees;
         open.push_back(neighbor.triangle);
@@ -191,9 +152,11 @@ std::optional<Orientation> closed_orientation(Triangles triangles) {
 
 }  // namespace
 
-Orientation orientation_of(const lumen::Mesh& mesh) {
+Orientation orientation_of(const Mesh& mesh) {
   // Points are merged only where the mesh is open without it: that takes longer than all the rest.
   if (auto found = closed_orientation(Triangles(mesh, {}))) return *std::move(found);
   if (auto found = closed_orientation(Triangles(mesh, merged_points(mesh)))) return *std::move(found);
   return {};
 }
+
+}  // namespace lumen

@@ -1,9 +1,11 @@
-/// Which way the triangles of a mesh face.
+/// Which way the triangles of a mesh face. For plugins that link lumen-topology.
 #pragma once
 
 #include <vector>
 
 #include <lumen/mesh.h>
+
+namespace lumen {
 
 struct Orientation {
   /// The surface encloses a solid, and faces out of it everywhere once the `turned` triangles are turned around: seen from
@@ -13,4 +15,6 @@ struct Orientation {
   std::vector<bool> turned = {};
 };
 
-Orientation orientation_of(const lumen::Mesh& mesh);
+Orientation orientation_of(const Mesh& mesh);
+
+}  // namespace lumen
