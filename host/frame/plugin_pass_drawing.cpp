@@ -4,6 +4,7 @@
 
 #include <lumen/gl/framebuffer.h>
 
+#include "frame/coverage.h"
 #include "frame/hash.h"
 #include "frame/layer_text.h"
 #include "frame/lighting_pass.h"
@@ -114,7 +115,7 @@ void PluginPass::fullscreen(std::string_view shader, const lumen::FullscreenPass
                        "  lumen_result = " + prefix + pass.function + "(" + prefix + "load(0), pixel);\n}\n");
   });
   if (program == nullptr) throw lumen::Error(file, "the shader does not compile");
-  const lumen::gl::Texture* depth_buffer = pass.covered_only && target.size() == size() ? context_.layers.find(stored(reads_, "depth_buffer")) : nullptr;
+  const lumen::gl::Texture* depth_buffer = pass.covered_only ? coverage(context_, stored(reads_, "depth_buffer"), target.size(), name_ + "/coverage") : nullptr;
   const lumen::gl::Texture* const targets[] = {&target};
   const lumen::gl::Framebuffer framebuffer(targets, depth_buffer);
   framebuffer.bind();

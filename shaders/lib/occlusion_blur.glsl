@@ -22,12 +22,12 @@ Tangent tangent_at(vec2 uv, float depth, float radius) {
   return Tangent(vec3(slope, 1.0 / depth - dot(slope, uv)), depth, reach);
 }
 
-// 0 on another surface or beyond the picture's edge.
+// 0 on another surface, on none (where nothing was gathered, the depth is 0), or beyond the picture's edge.
 float same_surface(Tangent tangent, vec2 uv, float depth) {
   float on_plane = dot(tangent.plane, vec3(uv, 1));
   float expected = orthographic() ? on_plane : 1.0 / max(on_plane, 1e-20);
   bool inside = all(lessThan(abs(uv - 0.5), vec2(0.5)));
-  return inside && min(abs(depth - expected), abs(depth - tangent.depth)) <= tangent.reach ? 1.0 : 0.0;
+  return inside && depth != 0.0 && min(abs(depth - expected), abs(depth - tangent.depth)) <= tangent.reach ? 1.0 : 0.0;
 }
 
 vec4 mean_along(Properties p, Pixel pixel, vec2 direction) {
@@ -72,7 +72,7 @@ vec4 upsampled(Properties p, Pixel pixel) {
     vec2 tap = raw_at(uv);
     vec2 near = mix(1.0 - share, share, step);
     float same = same_surface(tangent, center_of(uv), tap.g) * smoothstep(0.5, 0.9, dot(normal, normal_at(center_of(uv))));
-    same = (same + (isinf(tap.g) ? 0.0 : 1e-4)) * (near.x * near.y + 1e-3);  // rather a neighbor than none
+    same = (same + (tap.g == 0.0 || isinf(tap.g) ? 0.0 : 1e-4)) * (near.x * near.y + 1e-3);  // rather a neighbor than none
     sum += same * tap.r;
     weight += same;
   }

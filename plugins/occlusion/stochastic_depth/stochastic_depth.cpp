@@ -25,9 +25,9 @@ lumen::Camera camera_of_layers(const lumen::Frame& frame) {
 
 struct StochasticDepth : HemisphereOcclusion {
   explicit StochasticDepth(lumen::Binding& binding)
-      : HemisphereOcclusion(binding, "occlusion/stochastic_depth.glsl", {.common = {.radius = 0.1f, .refinements = 8}, .samples = 16}) {}
+      : HemisphereOcclusion(binding, "occlusion/stochastic_depth.glsl", {.common = {.radius = 0.2f, .refinements = 8}, .samples = 16}) {}
 
-  lumen::Property<float> thickness{this, "thickness", 1.0f, {.min = 0.01, .max = 4, .unit = "radii", .doc = "how far a surface reaches back; what lies farther behind it is open, unless another surface hides it"}};
+  lumen::Property<float> thickness{this, "thickness", 0.5f, {.min = 0.01, .max = 4, .unit = "radii", .doc = "how far a surface reaches back; what lies farther behind it is open, unless another surface hides it"}};
   lumen::Property<int> depths{this, "depths", 4, {.min = 1, .max = int(names.size()), .doc = "surfaces per pixel beside the front one; each is one drawing of the opaque scene"}};
   lumen::Property<float> share{this, "share", 0.4f, {.min = 0.05, .max = 1, .doc = "the chance of a surface to be in a drawing: small ones reach far back, large ones seldom come back empty; 1 is the front one alone", .advanced = true}};
 
