@@ -5,15 +5,12 @@
 #include <cmath>
 #include <limits>
 #include <numeric>
-#include <span>
 
 #include <glm/gtc/constants.hpp>
 
 #include <topology/orientation.h>
 
 namespace {
-
-constexpr std::uint32_t cluster_size = 128;
 
 /// Bits of 0..31, each followed by two zeros.
 std::uint32_t spread(std::uint32_t x) {
@@ -156,24 +153,55 @@ bool seen_together(const glm::vec4& opening, const Cluster& cluster, const Visib
 
 }  // namespace
 
-void visible_runs(const ClusteredMesh& mesh, const Visibility& visibility, std::vector<Run>& runs) {
-  runs.clear();
-  for (const Cluster& cluster : mesh.clusters) {
+std::vector<std::uint32_t> number_points(ClusteredMesh& mesh, std::size_t points) {
+  constexpr std::uint32_t none = std::numeric_limits<std::uint32_t>::max();
+  std::vector<std::uint32_t> number(points, none), former;
+  former.reserve(points);
+  for (Cluster& cluster : mesh.clusters) {
+    cluster.first_point = std::uint32_t(former.size());
+    for (std::uint32_t i = cluster.first; i < cluster.first + cluster.count; ++i)
+      for (int corner = 0; corner < 3; ++corner) {
+        std::uint32_t& point = mesh.triangles[i][corner];
+        if (number[point] == none) {
+          number[point] = std::uint32_t(former.size());
+          former.push_back(point);
+        }
+        point = number[point];
+      }
+    cluster.points = std::uint32_t(former.size()) - cluster.first_point;
+  }
+  return former;
+}
+
+void visible_clusters(const ClusteredMesh& mesh, const Visibility& visibility, std::vector<SeenCluster>& seen) {
+  seen.clear();
+  for (std::uint32_t i = 0; i < mesh.clusters.size(); ++i) {
+    const Cluster& cluster = mesh.clusters[i];
     if (visibility.group >= 0 && cluster.group != std::uint32_t(visibility.group)) continue;
-    const bool outside = std::any_of(visibility.planes.begin(), visibility.planes.end(), [&](const glm::vec4& plane) {
-      return glm::dot(glm::vec3(plane), cluster.center) + plane.w < -cluster.radius;
-    });
-    if (outside) continue;
-    if (visibility.skip_backs && faces_away(cluster, visibility) &&
-        std::none_of(visibility.openings.begin(), visibility.openings.end(), [&](const glm::vec4& opening) { return seen_together(opening, cluster, visibility); }))
-      continue;
+    const auto beyond = [&](const glm::vec4& plane, float distance) { return glm::dot(glm::vec3(plane), cluster.center) + plane.w < distance; };
+    const auto outside = [&](const glm::vec4& plane) { return beyond(plane, -cluster.radius); };
+    if (std::any_of(visibility.planes.begin(), visibility.planes.end(), outside) || std::any_of(visibility.cuts.begin(), visibility.cuts.end(), outside)) continue;
+    const bool backs = !visibility.skip_backs || std::any_of(visibility.openings.begin(), visibility.openings.end(),
+                                                             [&](const glm::vec4& opening) { return seen_together(opening, cluster, visibility); });
+    if (!backs && faces_away(cluster, visibility)) continue;
+    const bool cut = std::any_of(visibility.cuts.begin(), visibility.cuts.end(), [&](const glm::vec4& plane) { return beyond(plane, cluster.radius); });
+    seen.push_back({.cluster = i, .backs = backs, .cut = cut});
+  }
+}
+
+void runs_of(const ClusteredMesh& mesh, std::span<const SeenCluster> seen, std::vector<Run>& runs) {
+  runs.clear();
+  for (const SeenCluster& each : seen) {
+    const Cluster& cluster = mesh.clusters[each.cluster];
     if (!runs.empty() && runs.back().first + runs.back().count == cluster.first) runs.back().count += cluster.count;
     else runs.push_back({cluster.first, cluster.count});
   }
 }
 
 std::vector<Run> runs_of_group(const ClusteredMesh& mesh, int group) {
+  std::vector<SeenCluster> seen;
   std::vector<Run> runs;
-  visible_runs(mesh, {.group = group}, runs);
+  visible_clusters(mesh, {.group = group}, seen);
+  runs_of(mesh, seen, runs);
   return runs;
 }

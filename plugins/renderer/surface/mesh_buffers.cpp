@@ -3,6 +3,10 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <numeric>
+#include <string_view>
+
+#include <lumen/error.h>
 
 namespace {
 
@@ -10,6 +14,61 @@ namespace {
 constexpr std::size_t triangles_at_once = 1 << 14, parts_ahead = 4;
 
 constexpr std::size_t tensor_size = 6;
+
+/// Parts that were drawn, and that the GL still works on: a few at a time.
+class PartsUnderWay {
+ public:
+  ~PartsUnderWay() {
+    for (const GLsync done : done_) glDeleteSync(done);
+  }
+  /// Before another one: what was drawn may begin, and all but the last ones are done.
+  void next() {
+    if (count_ > 0) {
+      done_[count_ % parts_ahead] = glFenceSync(GL_SYNC_GPU_COMMANDS_COMPLETE, 0);
+      glFlush();
+    }
+    GLsync& oldest = done_[++count_ % parts_ahead];
+    if (oldest != nullptr) glClientWaitSync(oldest, GL_SYNC_FLUSH_COMMANDS_BIT, GL_TIMEOUT_IGNORED);
+    glDeleteSync(oldest);
+    oldest = nullptr;
+  }
+
+ private:
+  std::array<GLsync, parts_ahead> done_{};
+  std::size_t count_ = 0;
+};
+
+/// A buffer's contents, to be read. Where the GL is software, they are where they are: nothing is copied.
+template <class T>
+class MappedBuffer {
+ public:
+  explicit MappedBuffer(const lumen::gl::Buffer& buffer) : name_(buffer.name()), data_(static_cast<const T*>(glMapNamedBufferRange(name_, 0, GLsizeiptr(buffer.size()), GL_MAP_READ_BIT))) {
+    if (data_ == nullptr) throw lumen::Error("renderer.surface", "the mesh's memory cannot be read", "close other programs that use much memory");
+  }
+  ~MappedBuffer() { glUnmapNamedBuffer(name_); }
+  MappedBuffer(const MappedBuffer&) = delete;
+  MappedBuffer& operator=(const MappedBuffer&) = delete;
+  const T* data() const { return data_; }
+
+ private:
+  GLuint name_;
+  const T* data_;
+};
+
+/// The GL runs on the cores that we run on.
+bool gl_is_software() {
+  const std::string_view renderer(reinterpret_cast<const char*>(glGetString(GL_RENDERER)));
+  return renderer.find("llvmpipe") != renderer.npos || renderer.find("softpipe") != renderer.npos;
+}
+
+/// The values in a new order, `width` of them at a time.
+template <class T>
+lumen::gl::Buffer ordered_buffer_of(std::span<const T> values, std::span<const std::uint32_t> order, std::size_t width = 1) {
+  std::vector<T> ordered(order.size() * width);
+  for (std::size_t i = 0; i < order.size(); ++i)
+    for (std::size_t k = 0; k < width; ++k) ordered[i * width + k] = values[order[i] * width + k];
+  return lumen::gl::Buffer(std::as_bytes(std::span<const T>(ordered)));
+}
 
 template <class T>
 lumen::gl::Buffer buffer_of(std::span<const T> values) {
@@ -34,7 +93,7 @@ std::vector<float> shown_values(const lumen::Attribute& attribute) {
 }
 
 MeshBuffers::MeshBuffers(const lumen::Mesh& mesh, const lumen::Attribute* attribute, const lumen::Attribute* curvature, Groups groups)
-    : groups_(std::move(groups)), clusters_(make_clusters(mesh, groups_)) {
+    : groups_(std::move(groups)), clusters_(make_clusters(mesh, groups_)), software_(gl_is_software()) {
   const std::span<const float> tensors = curvature == nullptr ? std::span<const float>() : curvature->values.view();
   if (attribute == nullptr || attribute->on == lumen::Attribute::On::points) {
     upload(mesh.positions, mesh.normals, attribute == nullptr ? std::vector<float>{} : shown_values(*attribute), tensors);
@@ -63,18 +122,19 @@ MeshBuffers::MeshBuffers(const lumen::Mesh& mesh, const lumen::Attribute* attrib
 
 void MeshBuffers::upload(std::span<const glm::vec3> positions, std::span<const glm::vec3> normals, std::span<const float> values, std::span<const float> curvatures) {
   array_ = lumen::gl::VertexArray::create();
-  positions_ = buffer_of(positions);
+  const std::vector<std::uint32_t> order = number_points(clusters_, positions.size());
+  positions_ = ordered_buffer_of(positions, order);
   array_.attribute(0, positions_, 3, sizeof(glm::vec3));
   if (!normals.empty()) {
-    normals_ = buffer_of(normals);
+    normals_ = ordered_buffer_of(normals, order);
     array_.attribute(1, normals_, 3, sizeof(glm::vec3));
   }
   if (!values.empty()) {
-    values_ = buffer_of(values);
+    values_ = ordered_buffer_of(values, order);
     array_.attribute(2, values_, 1, sizeof(float));
   }
   if (!curvatures.empty()) {
-    curvatures_ = buffer_of(curvatures);
+    curvatures_ = ordered_buffer_of(curvatures, order, tensor_size);
     array_.attribute(3, curvatures_, 3, tensor_size * sizeof(float));
     array_.attribute(4, curvatures_, 3, tensor_size * sizeof(float), 3 * sizeof(float));
   }
@@ -99,36 +159,21 @@ void MeshBuffers::draw_group(const lumen::Mesh& mesh, int group, lumen::Draw& dr
   }
 }
 
-void MeshBuffers::draw_elements(std::size_t first, std::size_t count) const {
-  std::array<GLsync, parts_ahead> done{};
-  std::size_t part = 0;
-  const auto wait = [&](GLsync& sync) {
-    if (sync != nullptr) glClientWaitSync(sync, GL_SYNC_FLUSH_COMMANDS_BIT, GL_TIMEOUT_IGNORED);
-    glDeleteSync(sync);
-    sync = nullptr;
-  };
-  for (const std::size_t end = first + count; first < end; first += triangles_at_once) {
-    const std::size_t some = std::min(triangles_at_once, end - first);
-    GLsync& sync = done[part++ % parts_ahead];
-    wait(sync);
-    glDrawElements(GL_TRIANGLES, GLsizei(some * 3), GL_UNSIGNED_INT, reinterpret_cast<const void*>(std::uintptr_t(first) * sizeof(glm::uvec3)));
-    if (count <= triangles_at_once) return;
-    sync = glFenceSync(GL_SYNC_GPU_COMMANDS_COMPLETE, 0);
-    glFlush();
-  }
-  for (GLsync sync : done) glDeleteSync(sync);
+void MeshBuffers::draw(const Visibility& visibility, Coverage coverage) {
+  visible_clusters(clusters_, visibility, seen_);
+  if (seen_.empty()) return;
+  if (visibility.skip_backs && visibility.openings.empty()) glEnable(GL_CULL_FACE);
+  if (software_) draw_covering(coverage);
+  else draw_runs();
+  glDisable(GL_CULL_FACE);
 }
 
-void MeshBuffers::draw(const Visibility& visibility) {
-  visible_runs(clusters_, visibility, runs_);
-  if (runs_.empty()) return;
-  if (visibility.skip_backs && visibility.openings.empty()) glEnable(GL_CULL_FACE);
-  if (runs_.size() == 1) {
-    bind(triangles_);
-    draw_elements(runs_[0].first, runs_[0].count);
-  } else {
-    std::size_t gathered = 0;
-    for (const Run& run : runs_) gathered += run.count;
+void MeshBuffers::draw_runs() {
+  runs_of(clusters_, seen_, runs_);
+  std::size_t first = runs_[0].first, count = runs_[0].count;
+  bind(triangles_);
+  if (runs_.size() > 1) {
+    const std::size_t gathered = std::accumulate(runs_.begin(), runs_.end(), std::size_t(0), [](std::size_t sum, const Run& run) { return sum + run.count; });
     const std::size_t size = gathered * sizeof(glm::uvec3);
     // Some room, so that it does not grow again with every frame of a moving camera.
     if (!visible_ || visible_.size() < size) visible_ = lumen::gl::Buffer(std::min(size + size / 4, triangles_.size()));
@@ -139,7 +184,35 @@ void MeshBuffers::draw(const Visibility& visibility) {
       end += bytes;
     }
     bind(visible_);
-    draw_elements(0, gathered);
+    first = 0;
+    count = gathered;
   }
-  glDisable(GL_CULL_FACE);
+  glDrawElements(GL_TRIANGLES, GLsizei(count * 3), GL_UNSIGNED_INT, reinterpret_cast<const void*>(std::uintptr_t(first) * sizeof(glm::uvec3)));
+}
+
+void MeshBuffers::draw_covering(Coverage& coverage) {
+  if (!visible_) visible_ = lumen::gl::Buffer(triangles_at_once * sizeof(glm::uvec3));
+  bind(visible_);
+  PartsUnderWay under_way;
+  std::vector<glm::uvec3> whole, cut;
+  whole.reserve(triangles_at_once);
+  const auto draw = [&](std::vector<glm::uvec3>& triangles) {
+    if (triangles.empty()) return;
+    visible_.write(std::as_bytes(std::span(triangles)));
+    under_way.next();
+    glDrawElements(GL_TRIANGLES, GLsizei(triangles.size() * 3), GL_UNSIGNED_INT, nullptr);
+    triangles.clear();
+  };
+  // What a plane cuts comes last: one cut triangle in a batch makes software GL take a slower way for all of the batch.
+  for (auto seen = seen_.begin(); seen != seen_.end();) {
+    {
+      const MappedBuffer<glm::vec3> positions(positions_);
+      const MappedBuffer<glm::uvec3> triangles(triangles_);
+      for (; seen != seen_.end() && std::max(whole.size(), cut.size()) + cluster_size <= triangles_at_once; ++seen)
+        coverage.gather(clusters_.clusters[seen->cluster], seen->backs, positions.data(), triangles.data(), seen->cut ? cut : whole);
+    }
+    draw(whole.size() >= cut.size() ? whole : cut);
+  }
+  draw(whole);
+  draw(cut);
 }

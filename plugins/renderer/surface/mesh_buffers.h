@@ -9,6 +9,7 @@
 #include <lumen/mesh.h>
 
 #include "clusters.h"
+#include "coverage.h"
 
 class MeshBuffers {
  public:
@@ -19,22 +20,25 @@ class MeshBuffers {
   bool made_for(const Groups& groups) const { return groups == groups_; }
   /// All triangles of a group (-1: all) of the mesh that it was made from, in one call, which tells their cells apart.
   void draw_group(const lumen::Mesh& mesh, int group, lumen::Draw& draw);
-  /// What the visibility lets through, in few calls: a call per run costs software GL more than the triangles.
-  void draw(const Visibility& visibility);
+  /// What the visibility lets through, and, where the GL is software, the coverage: in few calls, since a call per run costs
+  /// software GL more than the triangles.
+  void draw(const Visibility& visibility, Coverage coverage);
   const ClusteredMesh& clusters() const { return clusters_; }
 
   std::uint32_t triangle_count() const { return clusters_.count; }
 
  private:
   void bind(const lumen::gl::Buffer& indices) const;
-  /// Triangles of the bound indices; of many parts only a few are under way at a time.
-  void draw_elements(std::size_t first, std::size_t count) const;
+  void draw_runs();
+  void draw_covering(Coverage& coverage);
   void upload(std::span<const glm::vec3> positions, std::span<const glm::vec3> normals, std::span<const float> values, std::span<const float> curvatures);
   Groups groups_;
   ClusteredMesh clusters_;
+  bool software_;                   ///< the GL is
   lumen::gl::Buffer positions_, normals_, values_, curvatures_, triangles_;
   lumen::gl::Buffer cells_;         ///< made when first wanted
   lumen::gl::Buffer visible_;       ///< the triangles that draw() gathered last
+  std::vector<SeenCluster> seen_;
   std::vector<Run> runs_;
   lumen::gl::VertexArray array_;
 };

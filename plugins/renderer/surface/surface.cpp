@@ -55,7 +55,7 @@ struct Surface : lumen::Renderer {
     for (int part = 0; part < int(draw.parts().size()); ++part) {
       draw.use("renderer/surface.glsl", part);
       if (draw.identifies()) buffers_->draw_group(*data, draw.parts()[std::size_t(part)].group, draw);  // primitives are numbered through
-      else buffers_->draw(visibility(draw, part));
+      else buffers_->draw(visibility(draw, part), coverage(draw, part));
     }
   }
 
@@ -90,10 +90,10 @@ struct Surface : lumen::Renderer {
   Visibility visibility(const lumen::Draw& draw, int index) const {
     const lumen::Part& part = draw.parts()[std::size_t(index)];
     Visibility visible{.group = part.group};
-    const auto keep = [&](const glm::vec4& plane) { visible.planes.push_back(plane / std::max(glm::length(glm::vec3(plane)), 1e-30f)); };
+    const auto keep = [](std::vector<glm::vec4>& planes, const glm::vec4& plane) { planes.push_back(plane / std::max(glm::length(glm::vec3(plane)), 1e-30f)); };
     const glm::mat4 object_to_world = part.transform * transform.get();
     const glm::mat4 rows = glm::transpose(draw.world_to_clip() * object_to_world);
-    for (int i = 0; i < 6; ++i) keep(i % 2 ? rows[3] - rows[i / 2] : rows[3] + rows[i / 2]);
+    for (int i = 0; i < 6; ++i) keep(visible.planes, i % 2 ? rows[3] - rows[i / 2] : rows[3] + rows[i / 2]);
     const glm::mat4 to_object = glm::inverse(object_to_world);
     const glm::mat4 eye_to_world = glm::inverse(draw.camera().view);
     visible.orthographic = draw.camera().orthographic;
@@ -104,7 +104,7 @@ struct Surface : lumen::Renderer {
     for (const glm::vec4& plane : part.planes) {
       const glm::vec4 local = glm::transpose(transform.get()) * plane;
       outside_cut = outside_cut || (visible.orthographic ? glm::dot(glm::vec3(local), visible.eye) > 0 : glm::dot(local, glm::vec4(visible.eye, 1)) < 0);
-      keep(local);
+      keep(visible.cuts, local);
     }
     if (visible.skip_backs && draw.backs(index) == lumen::Draw::Backs::behind_openings && outside_cut) {
       const glm::mat4 world_to_object = glm::inverse(transform.get());
@@ -112,6 +112,13 @@ struct Surface : lumen::Renderer {
       for (const glm::vec4& sphere : *part.openings) visible.openings.emplace_back(glm::vec3(world_to_object * glm::vec4(glm::vec3(sphere), 1)), sphere.w * scale);
     }
     return visible;
+  }
+
+  Coverage coverage(const lumen::Draw& draw, int index) const {
+    const glm::mat4& moved = draw.parts()[std::size_t(index)].transform;
+    const lumen::Bounds box = bounds();
+    const float reach = glm::length(box.center()) + box.radius() + glm::length(glm::vec3(moved[3])) + glm::length(glm::vec3(glm::inverse(draw.camera().view)[3]));
+    return Coverage(draw.world_to_clip(), moved * transform.get(), draw.size(), reach);
   }
 
   /// From inside, back faces are what one sees.
