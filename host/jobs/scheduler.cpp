@@ -55,6 +55,7 @@ Scheduler::~Scheduler() {
 bool Scheduler::update() {
   bool changed = false;
   for (const std::shared_ptr<Run>& run : state_->pool.take_finished()) changed |= state_->adopt(run);
+  if (changed) state_->session.update();  // what plugins make of new data, as defaults, belongs to the jobs that read it
   for (const auto& [object, record] : state_->records)
     if (record.run && !state_->find(record.run->object())) record.run->cancel();
   for (const auto& instance : state_->session.plugins()) state_->consider(*instance);

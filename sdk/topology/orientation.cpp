@@ -101,7 +101,11 @@ class Enclosure {
       const glm::uvec3 t = triangles_[i];
       if (part_[t.x] == part) continue;
       const glm::dvec3 a = glm::dvec3(positions[t.x]) - from, b = glm::dvec3(positions[t.y]) - from, c = glm::dvec3(positions[t.z]) - from;
-      const auto left = [](const glm::dvec3& p, const glm::dvec3& q) { return p.x * q.y - p.y * q.x > 0; };
+      // A line that meets an edge passes it on the side of a point beside it: on the same for both its triangles.
+      const auto left = [](const glm::dvec3& p, const glm::dvec3& q) {
+        const double turn = p.x * q.y - p.y * q.x;
+        return turn != 0 ? turn > 0 : p.y != q.y ? p.y > q.y : p.x < q.x;
+      };
       const bool side = left(a, b);
       if (side != left(b, c) || side != left(c, a)) continue;
       const glm::dvec3 normal = glm::cross(b - a, c - a);

@@ -129,6 +129,20 @@ TEST(SplitFilter, HalvesOfASphereAreClosedAndLoseNothingWhereverItIsCut) {
     }
 }
 
+TEST(SplitFilter, UnlessSetThePlaneGoesThroughTheMiddleWhereverTheSurfaceIs) {
+  const MeshPointer sphere = shape("sphere", 64);
+  Bench bench(lumen::testing::moved(*sphere, {30, -20, 7}));
+  EXPECT_NEAR(volume(*bench.get("half_a")) / volume(*sphere), 0.5, 1e-3) << "in the first job that has a surface";
+  bench.set("transform", glm::translate(glm::mat4(1), glm::vec3(0, 0, 100)));
+  EXPECT_NEAR(volume(*bench.get("half_b")) / volume(*sphere), 0.5, 1e-3);
+  EXPECT_NEAR(glm::distance(std::get<glm::vec3>(bench.session.find("split")->read(bench.session.find("split")->slot_of("translation"))), {30, -20, 107}), 0, 1e-4);
+  bench.set("translation", glm::vec3(30, -20, 107.5f));
+  bench.set("transform", glm::translate(glm::mat4(1), glm::vec3(0, 0, 100.5f)));
+  EXPECT_NEAR(volume(*bench.get("half_a")) / volume(*sphere), 0.5, 1e-3);
+  bench.set("transform", glm::mat4(1));
+  EXPECT_TRUE(bench.get("half_a")->triangles.empty()) << "what was set stays";
+}
+
 TEST(SplitFilter, ATorusCutAcrossHasTwoCapsAndCutAlongARing) {
   const MeshPointer torus = shape("torus", 128);
   Bench bench(std::make_shared<Mesh>(*torus));

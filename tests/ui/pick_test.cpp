@@ -3,12 +3,16 @@
 
 #include <gtest/gtest.h>
 
+#include <lumen/components.h>
 #include <lumen/interactor.h>
 #include <lumen/mesh.h>
+#include <lumen/splitter.h>
 
 #include "installation.h"
 #include "model/session.h"
 #include "modules/registry.h"
+#include "plugins/data_session.h"
+#include "plugins/solids_of_revolution.h"
 
 namespace {
 
@@ -140,6 +144,40 @@ TEST_F(Pick, OfACapFindsTheInnermostPartThatItCloses) {
     EXPECT_TRUE(value<std::vector<std::string>>("values").empty());
     EXPECT_EQ(value<std::vector<int>>("selection"), component < 0 ? std::vector<int>() : std::vector<int>{component});
   }
+}
+
+TEST_F(Pick, OfAWeldedSurfaceKeepsThePartsThatFilterPartsHasFound) {
+  lumenshop::DataSession made;
+  made.given("dumbbell", solids::dumbbell());
+  made.add("filter.parts", "parts");
+  made.session.link("parts.mesh", "dumbbell.mesh");
+  made.run();
+  const auto found = made.data<Mesh>("parts.result");
+  ASSERT_TRUE(found) << made.messages("parts");
+  mesh = std::make_shared<Mesh>(*found);
+  ASSERT_EQ(connected_parts(*mesh).count, 1u);
+  const auto cell_at = [&](float low, float high) {  // a triangle between two heights
+    for (std::size_t i = 0; i < mesh->triangles.size(); ++i)
+      if (const float z = mesh->positions[mesh->triangles[i].x].z; z > low && z < high) return int(i);
+    return -1;
+  };
+  const int small_ball = cell_at(4.2f, 4.4f), tube = cell_at(2.0f, 2.2f);
+  look_at(small_ball, mesh->positions[mesh->triangles[std::size_t(small_ball)].x]);
+  click();
+  EXPECT_EQ(value<std::vector<int>>("selection"), std::vector<int>{1});
+  look_at(tube, mesh->positions[mesh->triangles[std::size_t(tube)].x]);
+  click(true);
+  EXPECT_EQ(value<std::vector<int>>("selection"), (std::vector<int>{1, 2}));
+
+  auto* cut = session->add("splitter.plane", "cut").as<Splitter>(Kind::splitter);
+  session->link("cut.whole", "pick.selection");
+  session->set("cut.axis", Value(glm::vec3(0, 1, 0)));
+  session->set("cut.angle", Value(90.0f));
+  session->update();
+  const Split split = cut->split({.mesh = mesh, .object_to_world = glm::mat4(1), .bounds = mesh->bounds(), .camera = view.current});
+  ASSERT_EQ(split.parts.size(), 3u);
+  for (std::size_t i = 0; i < mesh->triangles.size(); ++i) EXPECT_EQ((*split.groups)[i] == 1, mesh->attribute(lumen::part_array)->values[i] > 0);
+  for (const Part& part : split.parts) EXPECT_FALSE(part.openings) << "ball and tube are open where they leave each other";
 }
 
 TEST_F(Pick, ModifiedClicksAddAndRemoveAndTheBackgroundEmpties) {

@@ -57,13 +57,18 @@ struct Split : lumen::Filter {
   lumen::Output<lumen::Mesh> half_b{this, "half_b", {.doc = "the other half"}};
 
   lumen::Property<glm::mat4> transform{this, "transform", glm::mat4(1), {.doc = "object to world, as the renderer's: the plane and the offset are of the world"}};
-  lumen::Property<glm::vec3> translation{this, "translation", glm::vec3(0), {.unit = "world", .doc = "a point of the plane"}};
+  lumen::Property<glm::vec3> translation{this, "translation", glm::vec3(0), {.unit = "world", .doc = "a point of the plane; unless set, the middle of the surface"}};
   lumen::Property<glm::vec3> axis{this, "axis", glm::vec3(0, 1, 0), {.min = -1, .max = 1, .doc = "what the normal, +z, is turned about"}};
   lumen::Property<float> angle{this, "angle", 0.0f, {.min = -180, .max = 180, .unit = "degrees", .doc = "how far the normal is turned"}};
   lumen::Property<float> offset{this, "offset", 0.0f, {.min = 0, .unit = "world", .doc = "how far each half moves along the normal"}};
   lumen::Property<std::vector<int>> whole{this, "whole", {}, {.min = 0, .doc = "numbers of parts that stay whole and in place"}};
   lumen::Property<bool> capped{this, "capped", true, {.doc = "the halves are closed by their true faces"}};
   lumen::Property<bool> doubled{this, "doubled", false, {.doc = "caps have points of their own: normals are exact up to the cut, but halves are closed by place alone, not by number", .when = "capped"}};
+
+  void changed(std::string_view property) override {
+    if (property != mesh.id() && property != transform.id()) return;
+    if (const auto surface = mesh.get(); surface != nullptr && !surface->bounds().empty()) translation.set_default(surface->bounds().transformed(transform).center());
+  }
 
   void compute(lumen::Job& job) const override {
     const auto input = job[mesh];

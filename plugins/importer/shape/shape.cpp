@@ -1,5 +1,7 @@
 /// Simple surfaces with exact normals: what techniques are tried on before real data.
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
 
@@ -85,13 +87,61 @@ Triangles box(float radius, int detail) {
   return result;
 }
 
+/// Three balls along z, of the radius, three quarters and half of it, on a tube, and welded to it: the ends of each tube are folds.
+Triangles beads(float radius, float tube, int detail) {
+  constexpr double gap = 1;  // between balls, in radii
+  const std::array<double, 3> sizes = {1, 0.75, 0.5};
+  const int around = std::max(detail, 3);
+  const double thin = std::min(double(tube) / double(radius), 0.4), step = 2 * std::numbers::pi / around;
+  struct Ring {
+    double radius, z;
+    glm::dvec2 normal;  // outward, along z
+  };
+  std::vector<Ring> rings;
+  double z = -(sizes[0] + sizes[1] + sizes[2] + gap);
+  const double top = -z;
+  for (std::size_t i = 0; i < sizes.size(); ++i) {
+    const double size = sizes[i], fold = std::asin(thin / size), from = i == 0 ? 0 : fold, to = std::numbers::pi - (i + 1 < sizes.size() ? fold : 0);
+    const int count = std::max(2, int(size * (to - from) / step));
+    z += size;
+    for (int k = i == 0 ? 1 : 0; k <= count - (i + 1 < sizes.size() ? 0 : 1); ++k) {
+      const double angle = from + (to - from) * k / count;
+      const glm::dvec2 out(std::sin(angle), -std::cos(angle));
+      const bool folded = (i > 0 && k == 0) || k == count;
+      rings.push_back({size * out.x, z + size * out.y, folded ? glm::normalize(out + glm::dvec2(1, 0)) : out});
+    }
+    z += size;
+    if (i + 1 == sizes.size()) break;
+    const double begin = rings.back().z, end = z + gap + sizes[i + 1] * (1 - std::cos(std::asin(thin / sizes[i + 1])));
+    const int cells = std::max(1, int((end - begin) / step));
+    for (int k = 1; k < cells; ++k) rings.push_back({thin, begin + (end - begin) * k / cells, {1, 0}});
+    z += gap;
+  }
+  Triangles result;
+  const std::uint32_t low = result.add({0, 0, -radius * float(top)}, {0, 0, -1});
+  for (const Ring& ring : rings)
+    for (int i = 0; i < around; ++i) {
+      const glm::dvec2 out(std::cos(step * i), std::sin(step * i));
+      result.add(double(radius) * glm::dvec3(ring.radius * out, ring.z), glm::dvec3(ring.normal.x * out, ring.normal.y));
+    }
+  const std::uint32_t high = result.add({0, 0, radius * float(top)}, {0, 0, 1});
+  const int last = int(rings.size()) - 1;
+  const auto at = [&](int ring, int i) { return std::uint32_t(1 + ring * around + i % around); };
+  for (int i = 0; i < around; ++i) {
+    result.triangles.emplace_back(low, at(0, i + 1), at(0, i));
+    for (int ring = 0; ring < last; ++ring) result.quad(at(ring, i), at(ring, i + 1), at(ring + 1, i + 1), at(ring + 1, i));
+    result.triangles.emplace_back(at(last, i), at(last, i + 1), high);
+  }
+  return result;
+}
+
 struct Shape : lumen::Importer {
   using Importer::Importer;
 
-  lumen::Property<lumen::Choice> shape{this, "shape", {"sphere"}, {.doc = "the kind of surface", .choices = {"sphere", "torus", "box", "plane"}}};
-  lumen::Property<float> radius{this, "radius", 1.0f, {.min = 1e-6, .max = 1e6, .unit = "world", .doc = "of the sphere, of the torus from its center outward; half the side of box and plane", .logarithmic = true}};
-  lumen::Property<float> tube{this, "tube", 0.3f, {.min = 0.01, .max = 0.5, .unit = "radii", .doc = "radius of the torus's tube", .when = "shape = torus"}};
-  lumen::Property<int> detail{this, "detail", 128, {.min = 1, .max = 1024, .doc = "cells around the sphere and the torus, or along a side; round shapes have at least 3", .logarithmic = true}};
+  lumen::Property<lumen::Choice> shape{this, "shape", {"sphere"}, {.doc = "the kind of surface", .choices = {"sphere", "torus", "box", "plane", "beads"}}};
+  lumen::Property<float> radius{this, "radius", 1.0f, {.min = 1e-6, .max = 1e6, .unit = "world", .doc = "of the sphere and the largest bead, of the torus from its center outward; half the side of box and plane", .logarithmic = true}};
+  lumen::Property<float> tube{this, "tube", 0.3f, {.min = 0.01, .max = 0.5, .unit = "radii", .doc = "radius of the torus's tube, or of that between beads (at most .4)"}};
+  lumen::Property<int> detail{this, "detail", 128, {.min = 1, .max = 1024, .doc = "cells around sphere, torus and beads, or along a side; round shapes have at least 3", .logarithmic = true}};
 
   lumen::Output<lumen::Mesh> mesh{this, "mesh", {.doc = "the surface; box and plane face outward and +z"}};
 
@@ -100,6 +150,7 @@ struct Shape : lumen::Importer {
     const std::string& name = job[shape].name;
     if (name == "sphere") made = sphere(job[radius], job[detail]);
     else if (name == "torus") made = torus(job[radius], job[tube] * job[radius], job[detail]);
+    else if (name == "beads") made = beads(job[radius], job[tube] * job[radius], job[detail]);
     else if (name == "box") made = box(job[radius], job[detail]);
     else add_rectangle(made, {-job[radius], -job[radius], 0}, {2 * job[radius], 0, 0}, {0, 2 * job[radius], 0}, job[detail]);
     auto result = std::make_shared<lumen::Mesh>();
@@ -114,4 +165,4 @@ struct Shape : lumen::Importer {
 
 }  // namespace
 
-LUMEN_PLUGIN(Shape, "importer.shape", "a sphere, torus, box or plane with exact normals")
+LUMEN_PLUGIN(Shape, "importer.shape", "a sphere, torus, box, plane or string of beads with exact normals")
