@@ -1,5 +1,6 @@
 /// What every ambient occlusion that the installation has must hold to; a new one is covered by being there.
 
+#include <epoxy/gl.h>
 #include <gtest/gtest.h>
 
 #include <nlohmann/json.hpp>
@@ -143,6 +144,33 @@ TEST(AllOcclusions, AreTheSameInTheMeanAtHalfResolution) {
     EXPECT_NEAR(occluders::mean(half, 0, 0, 95, 96), occluders::mean(whole, 0, 0, 95, 96), 0.01f) << type;
     EXPECT_GT(lumen::testing::largest_difference(whole, half), 0) << type;
     EXPECT_EQ(texts(scene.problems()), "") << type;
+  }
+}
+
+/// How many pixels pass the depth test while a layer is drawn.
+int visited(Scene& scene, const std::string& layer) {
+  GLuint query = 0, count = 0;
+  glGenQueries(1, &query);
+  glBeginQuery(GL_SAMPLES_PASSED, query);
+  scene.layer(layer);
+  glEndQuery(GL_SAMPLES_PASSED);
+  glGetQueryObjectuiv(query, GL_QUERY_RESULT, &count);
+  glDeleteQueries(1, &query);
+  return int(count);
+}
+
+TEST(AllOcclusions, VisitOnlyWhatIsCoveredAtHalfResolution) {
+  constexpr int pixels = 256 * 256;
+  for (const std::string& type : installed_occlusions()) {
+    Scene scene({256, 256});
+    scene.surface("tile", lumen::testing::rectangle(0.1f, 0.1f));
+    scene.add(type, "ao");
+    if (!has(scene, "ao.half_resolution")) continue;
+    set_if_there(scene, "ao.refinements", "1");
+    const int whole = visited(scene, "occlusion");
+    scene.set("ao.half_resolution", "true");
+    // A quarter of the picture to find out, and what is covered a few times.
+    EXPECT_LT(visited(scene, "occlusion"), whole + pixels / 4 + pixels / 50) << type;
   }
 }
 

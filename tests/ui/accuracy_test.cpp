@@ -1,4 +1,5 @@
 // Comparing techniques: a view drawn with another one, how pictures differ, and the table.
+#include <algorithm>
 #include <cmath>
 #include <filesystem>
 #include <fstream>
@@ -52,7 +53,7 @@ constexpr const char* session_text = R"({ "lumenshop": 1,
   "plugins": {
     "phantom": {"type": "importer.phantom", "triangles": 5000}, "ambient": {"type": "ambient.constant"},
     "wall": {"type": "renderer.surface", "mesh": {"link": "phantom.wall"}, "ambient": "ambient"},
-    "ssao": {"type": "occlusion.ssao"}, "rays": {"type": "occlusion.traced", "samples": 16, "samples_per_step": 4},
+    "ssao": {"type": "occlusion.ssao"}, "hidden": {"type": "occlusion.stochastic_depth"}, "rays": {"type": "occlusion.traced", "samples": 16, "samples_per_step": 4},
     "orbit": {"type": "interactor.orbit"} },
   "views": {"main": {"camera": "orbit", "renderers": ["wall"], "occlusion": "ssao", "antialiasing": 1}} })";
 
@@ -93,6 +94,22 @@ TEST_F(TrialTest, DrawsTheViewWithAnotherOcclusionAndLeavesTheSessionAlone) {
   workshop.view("main").finish();
   const auto own = workshop.view("main").layer("occlusion");
   EXPECT_EQ(std::vector<float>(own->pixels.begin(), own->pixels.end()), std::vector<float>(sampled->pixels.begin(), sampled->pixels.end()));
+}
+
+/// An occlusion that draws the surfaces again by itself.
+TEST_F(TrialTest, IsThePictureOfAViewThatHasTheOcclusion) {
+  const auto trial = workbench->trial("main", "hidden", {"occlusion"});
+  const auto drawn = finished(*trial);
+  Json session = Json::parse(session_text);
+  session["views"]["main"]["occlusion"] = "hidden";
+  workshop.session().load(session, std::filesystem::temp_directory_path());
+  workshop.scheduler().wait();
+  workshop.view("main").resize({96, 96});
+  workshop.view("main").request({"occlusion"});
+  workshop.view("main").finish();
+  const auto own = workshop.view("main").layer("occlusion");
+  EXPECT_GT(*std::max_element(own->pixels.begin(), own->pixels.end()), 0.05f);
+  EXPECT_EQ(std::vector<float>(own->pixels.begin(), own->pixels.end()), std::vector<float>(drawn->pixels.begin(), drawn->pixels.end()));
 }
 
 TEST_F(TrialTest, RefusesWhatIsNoTechnique) {
