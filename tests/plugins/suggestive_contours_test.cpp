@@ -99,7 +99,8 @@ Expected expected(const Torus& torus) {
         const double growth = square * ((vv * wu - uv * wv) / d * (right.curvature - here.curvature) + (uu * wv - uv * wu) / d * (up.curvature - here.curvature)) / glm::length(here.along);
         const double slope = glm::degrees(std::acos(here.facing));
         const glm::dvec2 pixel = glm::mix(here.pixel, other->pixel, here.curvature / (here.curvature - other->curvature));
-        if (growth > 0 && slope > angle - 2) Expected::mark(result.allowed, pixel, 1.5 + thickness / 2);
+        // From one pixel to the next the growth changes by about the cut-off.
+        if (growth > -cut_off && slope > angle - 2) Expected::mark(result.allowed, pixel, 1.5 + thickness / 2);
         if (growth > 2.3 * cut_off && slope > angle + 12) result.certain.push_back(pixel);
       }
     }
