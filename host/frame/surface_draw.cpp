@@ -27,7 +27,7 @@ class SurfaceDraw final : public lumen::Draw {
       const lumen::Part& part = surface.split.parts[i];
       if (output.what.wanted && !output.what.wanted(surface.instance->id(), part)) continue;
       parts_.push_back(part);
-      if (output.what.closed) parts_.back() = {.group = part.group, .removable = false};
+      if (output.what.closed) parts_.back() = {.group = part.group, .removable = false, .openings = std::vector<glm::vec4>{}};
       numbers_.push_back(int(i));
     }
     if (const Instance* interior = surface.interior) look_ = std::get<lumen::Choice>(interior->read(interior->slot_of("interior"))).name;
@@ -46,8 +46,10 @@ class SurfaceDraw final : public lumen::Draw {
   Backs backs(int part) const override {
     const lumen::Part& chosen = parts_.at(std::size_t(part));
     if (!output_.front_suffices || removes(chosen)) return Backs::anywhere;
-    if (chosen.planes.empty() || capped(chosen)) return Backs::hidden;
-    return chosen.openings ? Backs::behind_openings : Backs::anywhere;
+    if (capped(chosen)) return Backs::hidden;
+    if (chosen.openings) return Backs::behind_openings;
+    // A group may have been torn out of a closed surface.
+    return chosen.planes.empty() && chosen.group < 0 ? Backs::hidden : Backs::anywhere;
   }
 
   void use(std::string_view shader, int part, std::span<const std::pair<const char*, const lumen::gl::Texture*>> inputs) override {

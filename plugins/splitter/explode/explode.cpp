@@ -51,10 +51,12 @@ struct Explode : lumen::Splitter {
     tell_ways(laid, surface.camera);
     const std::vector<glm::vec3> moves = moves_of(laid, wanted(pieces), surface.camera);
     lumen::Split split{.parts = {}, .groups = pieces.groups};
-    for (std::size_t i = 0; i < pieces.list.size(); ++i)
-      // Nothing is cut here: of another splitter's cuts none is left open by this one.
-      split.parts.push_back({.transform = moves[i] == glm::vec3(0) ? glm::mat4(1) : glm::translate(glm::mat4(1), moves[i]), .group = pieces.list[i].number,
-                             .openings = std::vector<glm::vec4>{}});
+    for (std::size_t i = 0; i < pieces.list.size(); ++i) {
+      lumen::Part part{.transform = moves[i] == glm::vec3(0) ? glm::mat4(1) : glm::translate(glm::mat4(1), moves[i]), .group = pieces.list[i].number};
+      // Nothing else is cut here: of another splitter's cuts none is left open by this one.
+      if (!pieces.list[i].torn) part.openings.emplace();
+      split.parts.push_back(std::move(part));
+    }
     return split;
   }
 

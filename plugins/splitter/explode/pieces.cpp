@@ -5,6 +5,8 @@
 
 #include <lumen/components.h>
 
+#include "../torn_groups.h"
+
 namespace {
 
 lumen::Grouping grouping_of(const lumen::Mesh& mesh, const std::string& array) {
@@ -83,5 +85,7 @@ Pieces::Pieces(PiecesAsked what) : asked(std::move(what)) {
   for (Piece& piece : list) piece.share = area > 0 ? piece.area / area : 0;
   radius = bounds.radius();
   if (!bounds.empty()) center = bounds.center();
+  const std::vector<bool> torn = torn_groups(*mesh, grouping.of_triangle, grouping.count);
+  for (Piece& piece : list) piece.torn = torn[std::size_t(piece.number)];
   groups = std::make_shared<const std::vector<std::uint32_t>>(std::move(grouping.of_triangle));
 }

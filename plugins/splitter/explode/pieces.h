@@ -19,6 +19,7 @@ struct Piece {
   lumen::Bounds bounds;
   glm::vec3 center{0};            ///< of its area
   float area = 0, share = 0;      ///< world; of the area of all, 0..1
+  bool torn = false;              ///< it hangs together with another: it is open where that leaves it
 };
 
 /// What is asked for; the same question has the same answer for as long as the mesh lives.

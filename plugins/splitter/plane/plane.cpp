@@ -38,10 +38,10 @@ struct Plane : lumen::Splitter {
     for (int half = 0; half < 2; ++half) {
       lumen::Part& part = split.parts[std::size_t(half)];
       if (cut.cap != nullptr) split.caps.push_back({.part = half, .plane = 0, .shape = cut.cap});
-      if (cut.closed) part.openings = interior.caps() ? std::vector<glm::vec4>{} : cut.openings;
+      if (cut.closed && !kept_.torn(cut.asked.groups)) part.openings = interior.caps() ? std::vector<glm::vec4>{} : cut.openings;
       if (cut.asked.groups != nullptr) part.group = 0;
     }
-    if (cut.asked.groups != nullptr) split.parts.push_back({.group = 1, .removable = false});
+    if (cut.asked.groups != nullptr) split.parts.push_back(kept_.kept(cut.asked.groups));
     split.groups = cut.asked.groups;
     if (interior.caps() && !cut.closed) report(lumen::Severity::note, "'" + surface.mesh->origin + "' has a border at the plane: the cut stays open, its inside lit as its face");
     if (cut.frames >= frames_of_rest && surface.mesh->triangles.size() >= std::size_t(many_triangles.get())) propose(*surface.mesh);
