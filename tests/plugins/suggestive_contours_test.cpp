@@ -231,7 +231,7 @@ TEST(SuggestiveContours, ABallHasNone) {
     int ring_pixels = 0;
     for (int y = 0; y < 120; ++y)
       for (int x = 0; x < 120; ++x) {
-        if (std::hypot(x - center, y - center) < edge - 4) ASSERT_EQ(opacity.at(x, y), 0) << x << ", " << y;
+        if (std::hypot(x - center, y - center) < edge - 4) { ASSERT_EQ(opacity.at(x, y), 0) << x << ", " << y; }
         ring_pixels += opacity.at(x, y) > 0.9f;
       }
     EXPECT_GT(ring_pixels, 200);

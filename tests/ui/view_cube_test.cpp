@@ -208,7 +208,7 @@ TEST(ViewCubePicture, EachSideShowsItsAxissColorWhenTheSceneIsTurnedToIt) {
     const glm::vec3 color = scene.picture().rgb(150 + 17, 50 + 17);  // beside the letter
     const int axis = side.x != 0 ? 0 : side.y != 0 ? 1 : 2;
     for (int other = 0; other < 3; ++other)
-      if (other != axis) EXPECT_GT(color[axis], color[other] + 0.05f) << side.x << side.y << side.z;
+      if (other != axis) { EXPECT_GT(color[axis], color[other] + 0.05f) << side.x << side.y << side.z; }
     if (side[axis] > 0) bright[axis] = color[axis];
     else EXPECT_LT(color[axis], bright[axis] - 0.05f) << "the negative side is darker";
   }
@@ -233,8 +233,8 @@ TEST(ViewCubePicture, ItsOutlineIsTheTurnedCubes) {
           near = near || most <= 1.06f;
         }
         const float alpha = picture.rgba(x, y).a;
-        if (on) EXPECT_EQ(alpha, 1) << x << " " << y;
-        if (!near) EXPECT_EQ(alpha, 0) << x << " " << y;
+        if (on) { EXPECT_EQ(alpha, 1) << x << " " << y; }
+        if (!near) { EXPECT_EQ(alpha, 0) << x << " " << y; }
       }
   }
 }
@@ -269,7 +269,7 @@ TEST(ViewCubePicture, TheRestOfThePictureIsAsItWas) {
   const Pixels after = scene.picture();
   for (int y = 0; y < 64; ++y)
     for (int x = 0; x < 64; ++x)
-      if (x < 48 || y >= 16) EXPECT_EQ(after.rgba(x, y), before.rgba(x, y));
+      if (x < 48 || y >= 16) { EXPECT_EQ(after.rgba(x, y), before.rgba(x, y)); }
   scene.picture();
   EXPECT_EQ(scene.runs("cube"), 1);
   EXPECT_EQ(scene.runs("geometry"), 1);
