@@ -36,8 +36,12 @@ Neighbors::Neighbors(std::size_t count, const std::function<glm::uvec3(std::size
 }
 
 std::vector<std::uint32_t> merged_points(const Mesh& mesh) {
-  std::vector<std::uint32_t> place(mesh.positions.size());
-  const std::size_t places = meshopt_generateVertexRemap(place.data(), nullptr, mesh.positions.size(), mesh.positions.data(), mesh.positions.size(), sizeof(glm::vec3));
+  // Bits are compared: -0 becomes 0.
+  std::vector<glm::vec3> positions;
+  positions.reserve(mesh.positions.size());
+  for (const glm::vec3& position : mesh.positions) positions.push_back(position + 0.0f);
+  std::vector<std::uint32_t> place(positions.size());
+  const std::size_t places = meshopt_generateVertexRemap(place.data(), nullptr, positions.size(), positions.data(), positions.size(), sizeof(glm::vec3));
   std::vector<std::uint32_t> first(places, Neighbor::none);
   for (std::uint32_t point = 0; point < place.size(); ++point) {
     std::uint32_t& known = first[place[point]];

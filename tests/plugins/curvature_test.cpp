@@ -216,6 +216,37 @@ TEST(CurvatureFilter, SignsFollowTheNormals) {
   }
 }
 
+std::shared_ptr<lumen::Mesh> inside_out(const lumen::Mesh& mesh) {
+  return changed(mesh, [&](lumen::Mesh& copy) {
+    std::vector<glm::vec3> normals;
+    for (const glm::vec3& normal : mesh.normals) normals.push_back(-normal);
+    std::vector<glm::uvec3> triangles;
+    for (const glm::uvec3& t : mesh.triangles) triangles.emplace_back(t.x, t.z, t.y);
+    copy.normals = std::move(normals);
+    copy.triangles = std::move(triangles);
+  });
+}
+
+TEST(CurvatureFilter, ClosedPartsAreTurnedOutwardUnlessTheyAreCavities) {
+  // A ball that is inside out, beside a shell whose cavity faces inward as it shall.
+  const auto beside = lumen::testing::moved(*inside_out(*lumen::testing::sphere(32)), {3, 0, 0});
+  const auto mesh = lumen::testing::joined({beside, lumen::testing::sphere(32), inside_out(*lumen::testing::sphere(32, 0.5f))});
+  Filtered bench(mesh);
+  const auto points = bench.points();
+  std::vector<bool> used(points.size(), false);
+  for (const glm::uvec3& t : mesh->triangles) used[t.x] = used[t.y] = used[t.z] = true;
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    if (!used[i]) continue;
+    const glm::vec3& at = mesh->positions[i];
+    const bool is_beside = at.x > 1.5f, is_cavity = glm::length(at) < 0.7f;
+    ASSERT_NEAR(points[i].mean, is_cavity ? -2 : 1, 5e-3f) << i;
+    ASSERT_EQ(bench.result->normals[i], is_beside ? -mesh->normals[i] : mesh->normals[i]);
+  }
+  const glm::uvec3 first = bench.result->triangles[0];
+  EXPECT_EQ(first, glm::uvec3(mesh->triangles[0].x, mesh->triangles[0].z, mesh->triangles[0].y));
+  EXPECT_EQ(bench.result->triangles[mesh->triangles.size() - 1], mesh->triangles[mesh->triangles.size() - 1]);
+}
+
 TEST(CurvatureFilter, SmoothingTakesNoiseAwayAndKeepsTheMean) {
   const auto ball = without_normals(*lumen::testing::sphere(96));
   std::mt19937 random(7);
