@@ -11,7 +11,7 @@ using lumen::testing::Scene;
 
 constexpr int size = 128;
 constexpr const char* one_refinement = R"({"radius": 0.12, "samples": 64, "refinements": 1})";
-constexpr const char* many_refinements = R"({"radius": 0.12, "samples": 32, "refinements": 16})";
+constexpr const char* many_refinements = R"({"radius": 0.12, "thickness": 1, "samples": 32, "refinements": 16})";
 
 /// A floor with a low step up from x = 0 on, and high over the step a roof, which hides the step from the eye and nothing from the floor.
 void add_hidden_step(Scene& scene) {
