@@ -12,6 +12,10 @@ constexpr float product_error = 1.0f / (1 << 20);
 /// Where more centers than this lie in a triangle's box, one is most likely covered.
 constexpr int most_centers = 4;
 
+// Of three in registers: a list would go through memory.
+float least(float a, float b, float c) { return std::min(a, std::min(b, c)); }
+float greatest(float a, float b, float c) { return std::max(a, std::max(b, c)); }
+
 }  // namespace
 
 Coverage::Coverage(const glm::mat4& world_to_clip, const glm::mat4& object_to_world, glm::ivec2 size, float reach) : size_(size) {
@@ -28,12 +32,12 @@ Coverage::Coverage(const glm::mat4& world_to_clip, const glm::mat4& object_to_wo
 
 bool Coverage::may_cover(const Place& a, const Place& b, const Place& c, bool backs) const {
   // Behind the eye or beside it, a projection says nothing. The comparison is false for what is not a number, too.
-  if (!(std::min({a.inverse_w, b.inverse_w, c.inverse_w}) > 0)) return true;
-  const float slack = snapping + rounding_ * std::max({a.inverse_w, b.inverse_w, c.inverse_w});
+  if (!(least(a.inverse_w, b.inverse_w, c.inverse_w) > 0)) return true;
+  const float slack = snapping + rounding_ * greatest(a.inverse_w, b.inverse_w, c.inverse_w);
   // Centers are at halves: numbers of the first one from `low` on, and of the first one beyond `high`.
   const auto first_from = [](float place, float size) { return int(std::min(size, std::max(0.0f, place)) + 0.5f); };
-  const int left = first_from(std::min({a.x, b.x, c.x}) - slack, size_.x), right = first_from(std::max({a.x, b.x, c.x}) + slack, size_.x);
-  const int bottom = first_from(std::min({a.y, b.y, c.y}) - slack, size_.y), top = first_from(std::max({a.y, b.y, c.y}) + slack, size_.y);
+  const int left = first_from(least(a.x, b.x, c.x) - slack, size_.x), right = first_from(greatest(a.x, b.x, c.x) + slack, size_.x);
+  const int bottom = first_from(least(a.y, b.y, c.y) - slack, size_.y), top = first_from(greatest(a.y, b.y, c.y) + slack, size_.y);
   if (left >= right || bottom >= top) return false;
 
   const float bx = b.x - a.x, by = b.y - a.y, cx = c.x - a.x, cy = c.y - a.y;
@@ -47,7 +51,7 @@ bool Coverage::may_cover(const Place& a, const Place& b, const Place& c, bool ba
     for (int column = left; column < right; ++column) {
       const float px = float(column) + 0.5f - a.x, py = float(row) + 0.5f - a.y;
       const float ab = sign * (bx * py - by * px), ca = sign * (cy * px - cx * py), bc = sign * area - ab - ca;
-      if (std::min({ab, ca, bc}) >= -unsure) return true;
+      if (least(ab, ca, bc) >= -unsure) return true;
     }
   return false;
 }
@@ -59,8 +63,12 @@ void Coverage::gather(const Cluster& cluster, bool backs, const glm::vec3* posit
     const std::uint32_t own = point - cluster.first_point;
     return own < cluster.points ? places_[own] : place_of(positions[point]);
   };
+  std::size_t end = kept.size();
+  kept.resize(end + cluster.count);
   for (std::uint32_t i = cluster.first; i < cluster.first + cluster.count; ++i) {
     const glm::uvec3& triangle = triangles[i];
-    if (may_cover(place(triangle.x), place(triangle.y), place(triangle.z), backs)) kept.push_back(triangle);
+    kept[end] = triangle;
+    end += may_cover(place(triangle.x), place(triangle.y), place(triangle.z), backs) ? 1 : 0;
   }
+  kept.resize(end);
 }
