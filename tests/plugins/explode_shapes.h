@@ -77,10 +77,17 @@ inline MeshPointer bottle() {
 }
 /// Balls in balls, and one beside them.
 inline MeshPointer shells() { return lumen::testing::joined({ball(1), ball(0.7f), ball(0.4f), ball(0.5f, {1.8f, 0.1f, 0})}); }
-/// A tray between walls, on a base, with two boxes on it under a lid: ways across one another.
+/// A tray between walls, on a base, with two boxes on it under a lid.
 inline MeshPointer drawer() {
   return lumen::testing::joined({box({0.8f, 0.6f, 0.3f}, {0.1f, 0, 0}), box({0.2f, 0.2f, 0.2f}, {-0.2f, 0, 0.3f}), box({0.2f, 0.2f, 0.2f}, {0.3f, 0, 0.3f}), box({1, 0.8f, 0.1f}, {0, 0, 0.5f}),
                                  box({0.1f, 0.8f, 0.6f}, {-0.6f, 0, 0.1f}), box({1.2f, 0.8f, 0.1f}, {0, 0, -0.3f}), box({1, 0.1f, 0.6f}, {0, -0.5f, 0.1f}), box({1, 0.1f, 0.6f}, {0, 0.5f, 0.1f})});
+}
+/// Part 0 a drawer that only comes out toward +x, 1 a bolt before it that only goes up; what holds both: 2 to 10.
+inline MeshPointer bolted_drawer() {
+  return lumen::testing::joined({box({1, 0.6f, 0.4f}), box({0.1f, 0.76f, 0.6f}, {0.57f, 0, 0.1f}), box({3, 1.4f, 0.1f}, {0.5f, 0, -0.26f}), box({1, 1.4f, 0.1f}, {0, 0, 0.26f}),
+                                 box({1, 0.1f, 0.4f}, {0, 0.36f, 0}), box({1, 0.1f, 0.4f}, {0, -0.36f, 0}), box({0.1f, 0.8f, 0.4f}, {-0.56f, 0, 0}),
+                                 box({0.1f, 0.18f, 0.4f}, {0.69f, 0.41f, 0}), box({0.1f, 0.18f, 0.4f}, {0.69f, -0.41f, 0}), box({0.12f, 0.1f, 0.4f}, {0.57f, 0.44f, 0}),
+                                 box({0.12f, 0.1f, 0.4f}, {0.57f, -0.44f, 0})});
 }
 /// The faces of three boxes in a row, each face a part: what has no inside is in the way, too.
 inline MeshPointer faces() {

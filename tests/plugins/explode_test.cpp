@@ -59,12 +59,13 @@ struct Shape {
   const char* name;
   MeshPointer (*make)();
   int moving;  ///< parts that come out
+  const char* properties = R"({"layout": "graph"})";
 };
 
 class ExplodeGraph : public testing::TestWithParam<Shape> {};
 
 TEST_P(ExplodeGraph, NoPartMovesThroughAnother) {
-  Exploded exploded(GetParam().make(), R"({"layout": "graph"})");
+  Exploded exploded(GetParam().make(), GetParam().properties);
   const auto pairs = apart_at_rest(*exploded.mesh, exploded.split(0));
   EXPECT_FALSE(pairs.empty());
   for (int step = 0; step <= 80; ++step) {  // four to each .05 of the degree: the ways between them, too
@@ -78,7 +79,7 @@ TEST_P(ExplodeGraph, NoPartMovesThroughAnother) {
 }
 
 TEST_P(ExplodeGraph, NorWhateverIsPulledOutAtOnce) {
-  Exploded exploded(GetParam().make(), R"({"layout": "graph"})");
+  Exploded exploded(GetParam().make(), GetParam().properties);
   const lumen::Split rest = exploded.split(0);
   const auto pairs = apart_at_rest(*exploded.mesh, rest);
   std::mt19937 random(1);
@@ -93,7 +94,8 @@ TEST_P(ExplodeGraph, NorWhateverIsPulledOutAtOnce) {
 
 INSTANTIATE_TEST_SUITE_P(Shapes, ExplodeGraph,
                          testing::Values(Shape{"stack", [] { return stack(6); }, 5}, Shape{"rings_on_rod", rings_on_rod, 3}, Shape{"bottle", bottle, 2}, Shape{"shells", shells, 1},
-                                         Shape{"drawer", drawer, 7}, Shape{"faces", faces, 17}),
+                                         Shape{"drawer", drawer, 7}, Shape{"faces", faces, 17},
+                                         Shape{"bolted_drawer", bolted_drawer, 2, R"({"layout": "graph", "selection": [2, 3, 4, 5, 6, 7, 8, 9, 10]})"}),
                          [](const auto& info) { return std::string(info.param.name); });
 
 TEST(Explode, AtDegreeZeroEveryPartIsWhereItWasToTheBit) {

@@ -73,6 +73,7 @@ struct Explode : lumen::Splitter {
     bool principal = false;      ///< the axes of `blocking`
     std::optional<ExplosionGraph> graph;
     std::optional<ForceLayout> forces;
+    std::uint64_t found = 0;     ///< which of all layouts so far `graph` or `forces` is
   };
 
   Laid& laid_of(const lumen::SplitSurface& surface) {
@@ -99,7 +100,9 @@ struct Explode : lumen::Splitter {
   void find_layout(Laid& laid) {
     std::vector<int> fixed = indices(laid.pieces, selection);
     if (!by_graph()) {
-      if (!laid.forces || laid.forces->fixed() != fixed) laid.forces.emplace(laid.pieces, std::move(fixed));
+      if (laid.forces && laid.forces->fixed() == fixed) return;
+      laid.forces.emplace(laid.pieces, std::move(fixed));
+      laid.found = ++found_;
       return;
     }
     if (laid.pieces.left_together >= 0) fixed.push_back(laid.pieces.left_together);
@@ -110,7 +113,10 @@ struct Explode : lumen::Splitter {
       laid.graph.reset();
     }
     ExplosionGraph::Asked asked{.fixed = std::move(fixed), .gap = spacing * laid.pieces.radius};
-    if (!laid.graph || laid.graph->asked() != asked) laid.graph.emplace(*laid.blocking, std::move(asked));
+    if (!laid.graph || laid.graph->asked() != asked) {
+      laid.graph.emplace(*laid.blocking, std::move(asked));
+      laid.found = ++found_;
+    }
     tell_limits(laid);
   }
 
@@ -140,12 +146,18 @@ struct Explode : lumen::Splitter {
 
   std::vector<glm::vec3> moves_of(const Laid& laid, const std::vector<float>& degrees, const lumen::Camera& camera) const {
     if (by_graph()) return laid.graph->moves(degrees);
-    return laid.forces->moves(degrees, {return_force, explosion_force, viewing_force, spacing_force}, camera);
+    return laid.forces->moves(degrees, strengths(), camera);
   }
+
+  Strengths strengths() const { return {return_force, explosion_force, viewing_force, spacing_force}; }
 
   /// For hands: as long as there is one.
   void tell_ways(const Laid& laid, const lumen::Camera& camera) {
     if (hand->empty() || &laid != &laid_.back()) return;
+    const lumen::Camera seen = !by_graph() && laid.forces->views(strengths()) ? camera : lumen::Camera{};
+    const Told now{by_graph(), laid.found, strengths(), seen};
+    if (told_ == now) return;
+    told_ = now;
     std::vector<float> degrees(laid.pieces.list.size(), 1.0f), told(3 * std::size_t(laid.pieces.numbers), 0.0f);
     if (laid.pieces.left_together >= 0) degrees[std::size_t(laid.pieces.left_together)] = 0;
     const std::vector<glm::vec3> moves = moves_of(laid, degrees, camera);
@@ -154,8 +166,19 @@ struct Explode : lumen::Splitter {
     ways.set_default(std::move(told));
   }
 
+  /// What the ways were told of.
+  struct Told {
+    bool by_graph = false;
+    std::uint64_t found = 0;     ///< which layout; 0: nothing was told
+    Strengths strengths;
+    lumen::Camera camera;
+    bool operator==(const Told&) const = default;
+  };
+
   static constexpr std::size_t most_surfaces = 16;
   std::list<Laid> laid_;
+  std::uint64_t found_ = 0;      ///< layouts, so far
+  Told told_;
 };
 
 }  // namespace

@@ -9,16 +9,19 @@
 
 namespace {
 
-constexpr std::size_t most_points = 12;
+constexpr std::size_t most_points = 8;
 constexpr float nearest = 0.05f;
-/// Of the iteration, in radii: what a step makes of a force, the longest step, and when it is at rest.
-constexpr float stride = 0.7f, longest = 0.2f, at_rest = 1e-5f;
-constexpr int most_steps = 100;
+/// Of the iteration, in radii: what a step makes of a force at rest, how far the return force's slope is followed, the longest step, and when
+/// all is in equilibrium.
+constexpr float stride = 0.5f, inertia = 0.6f, farthest = 2, longest = 0.3f, in_equilibrium = 1e-4f;
+constexpr int most_steps = 60;
+
+constexpr float no_direction = 1e-4f;
 
 /// Unit; `otherwise` if there is no direction.
 glm::vec3 direction(const glm::vec3& r, const glm::vec3& otherwise) {
   const float length = glm::length(r);
-  return length > 1e-4f ? r / length : otherwise;
+  return length > no_direction ? r / length : otherwise;
 }
 
 /// Points spread through parts as the paper's are through voxels: of triangles that lie far from one another, each next one the farthest from
@@ -68,14 +71,16 @@ glm::vec3 ForceLayout::force(std::size_t part, std::span<const glm::vec3> moves,
 
   glm::vec3 explosion(0), viewing(0), spacing(0);
   for (std::size_t i = 0; i < points_.size(); ++i) {
-    const glm::vec3 &point = points_[i], closest = glm::clamp(point, block.low + move, block.high + move);
-    const glm::vec3 way = direction(closest - point, direction(center - point, block.aside));
-    explosion += std::exp(-glm::distance(closest, point)) * way;
+    const glm::vec3 &point = points_[i], away = center - point, gap = glm::clamp(point, block.low + move, block.high + move) - point;
+    const float distance = glm::length(gap);
+    explosion += std::exp(-distance) * (distance > no_direction ? gap / distance : direction(away, block.aside));
     if (rays.empty()) continue;
-    const glm::vec3 &toward_eye = rays[i], away = center - point;
+    const glm::vec3& toward_eye = rays[i];
     const float along = glm::dot(away, toward_eye), before = std::clamp(0.5f + 0.5f * along / std::max(block.radius, nearest), 0.0f, 1.0f);
-    const glm::vec3 across = away - along * toward_eye, beside = block.aside - glm::dot(block.aside, toward_eye) * toward_eye;
-    viewing += before / std::max(glm::length(across), nearest) * direction(across, direction(beside, glm::vec3(0)));
+    const glm::vec3 across = away - along * toward_eye;
+    const float aside = glm::length(across);
+    if (aside > no_direction) viewing += before / (std::max(aside, nearest) * aside) * across;
+    else viewing += before / nearest * direction(block.aside - glm::dot(block.aside, toward_eye) * toward_eye, glm::vec3(0));
   }
   for (std::size_t other = 0; other < blocks_.size(); ++other) {
     if (other == part) continue;
@@ -94,18 +99,23 @@ std::vector<glm::vec3> ForceLayout::moves(std::span<const float> degrees, const 
     for (const glm::vec3& point : points_)
       rays.push_back(glm::normalize(camera.orthographic ? glm::vec3(to_world[2]) : (glm::vec3(to_world[3]) - center_) / radius_ - point));
   const bool any = std::any_of(degrees.begin(), degrees.end(), [](float degree) { return degree > 0; });
+  std::vector<glm::vec3> steps(blocks_.size(), glm::vec3(0));
   for (int step = 0; any && step < most_steps; ++step) {
     for (std::size_t part = 0; part < blocks_.size(); ++part)
       if (const float degree = degrees[part] * blocks_[part].ease; degree > 0) forces[part] = force(part, moves, degree, strengths, rays);
     float moved = 0;
     for (std::size_t part = 0; part < blocks_.size(); ++part) {
-      glm::vec3 by = stride * forces[part];
+      // Some of the step before is kept, unless that went too far (O'Donoghue, Candes, Adaptive Restart for Accelerated Gradient Schemes, 2015).
+      glm::vec3& by = steps[part];
+      by *= glm::dot(forces[part], by) < 0 ? 0.0f : inertia;
+      // Newton's step along the return force, whose slope is 1 / (1 + |r|).
+      by += stride * (1 + std::min(glm::length(moves[part]), farthest)) / strengths.back * forces[part];
       const float length = glm::length(by);
       if (length > longest) by *= longest / length;
       moves[part] += by;
       moved = std::max(moved, std::min(length, longest));
     }
-    if (moved < at_rest) break;
+    if (moved < in_equilibrium) break;
   }
   for (glm::vec3& move : moves) move *= radius_;
   return moves;
