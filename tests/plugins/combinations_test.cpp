@@ -34,7 +34,7 @@ class Combinations : public testing::Test {
     scene_.add("renderer.surface", "clear", R"({"mesh": {"link": "bent.result"}, "specular_color": [0.4, 0.4, 0.4]})");
     // The fewest samples that still run every pass of a technique.
     for (std::size_t i = 0; i < types_[3].size(); ++i)
-      for (const char* property : {"refinements", "samples", "slices", "rays"}) lower(id(3, int(i)) + "." + property);
+      for (const char* property : {"refinements", "samples", "slices", "rays", "depths"}) lower(id(3, int(i)) + "." + property);
     scene_.picture();  // the GL is current from now on
     glEnable(GL_DEBUG_OUTPUT);
     glEnable(GL_DEBUG_OUTPUT_SYNCHRONOUS);
